@@ -29,14 +29,20 @@ pub fn call(scene: &SceneModel, measures: &TokenStream) -> Option<TokenStream> {
 fn sought(synthesis: &SynthesisInfo) -> TokenStream {
     let varied = synthesis.varied.iter().map(|one| {
         let (constant, from, to) = (size(one.constant), number(one.from), number(one.to));
-        quote!(Varied::new(#constant, #from, #to))
+        let values = one.values.iter().map(|value| number(*value));
+        quote!(Varied::new(#constant, (#from, #to), &[#(#values),*]))
     });
     let conditions = synthesis.conditions.iter().map(|index| size(*index));
+    let preferences = synthesis.preferences.iter().map(|(index, weight)| {
+        let (index, weight) = (size(*index), number(*weight));
+        quote!((#index, #weight))
+    });
     let objective = size(synthesis.objective);
     quote! {
         .synthesis(Synthesis {
             varied: &[#(#varied),*],
             conditions: &[#(#conditions),*],
+            preferences: &[#(#preferences),*],
             objective: #objective,
         })
     }

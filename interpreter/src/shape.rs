@@ -97,10 +97,14 @@ fn constant(info: &ConstantInfo) -> shape::Constant {
 }
 
 fn synthesis(info: &SynthesisInfo) -> shape::Synthesis {
-    let varied = info.varied.iter();
+    let varied = info.varied.iter().map(|one| {
+        let values = list(one.values.iter().copied());
+        shape::Varied::new(one.constant, (one.from, one.to), values)
+    });
     shape::Synthesis {
-        varied: list(varied.map(|one| shape::Varied::new(one.constant, one.from, one.to))),
+        varied: list(varied),
         conditions: list(info.conditions.iter().copied()),
+        preferences: list(info.preferences.iter().copied()),
         objective: info.objective,
     }
 }

@@ -6,20 +6,22 @@
 use crate::checked::{ConstantInfo, SceneModel, SynthesisInfo, VariedInfo};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Symbol;
-use crate::lower::Lowering;
+use crate::homogeneity::describe;
+use crate::lower::{Kind, Lowering};
 use crate::nearest::nearest;
 use crate::resolve::Names;
 use crate::syntax::print;
 use crate::syntax::tree::{
-    BinaryOperator, Name, Output, Scene, SceneItem, Term, TermKind, UnitTerm, Varied,
+    Among, BinaryOperator, Name, Output, Scene, SceneItem, Term, TermKind, UnitTerm, Varied,
 };
 use crate::token::Span;
+use crate::unit::{Dimension, Unit};
 
 /// Declares the measures that a scene makes small, and those by which it keeps its conditions, under their own texts.
 pub fn declare(scene: Option<&Scene>, names: &mut Names, diagnostics: &mut Diagnostics) {
     for item in scene.into_iter().flat_map(|scene| &scene.items) {
         match item {
-            SceneItem::Require { condition, text } => {
+            SceneItem::Require { condition, text } | SceneItem::Prefer { condition, text, .. } => {
                 let Some((margin, unit)) = margin(condition) else {
                     let message = "a synthesis keeps conditions between two numbers";
                     let report = Diagnostic::error(condition.span, message);
@@ -74,18 +76,23 @@ pub fn read(
     constants: &[Option<ConstantInfo>],
     low: &mut Lowering<'_>,
 ) -> Option<SynthesisInfo> {
-    let (mut varied, mut conditions, mut objectives) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut varied, mut objectives) = (Vec::new(), Vec::new());
+    let (mut conditions, mut preferences) = (Vec::new(), Vec::new());
     for item in &scene.items {
         match item {
             SceneItem::Vary { constants } => varied.extend(constants),
             SceneItem::Require { condition, .. } => {
                 conditions.push((print::term(condition), condition.span));
             }
+            SceneItem::Prefer { condition, weight, .. } => {
+                preferences.push((print::term(condition), condition.span, weight));
+            }
             SceneItem::Minimise { what } => objectives.push((sought(what), what.span)),
             _ => {}
         }
     }
     let Some((objective, place)) = objectives.first().cloned() else {
+        conditions.extend(preferences.iter().map(|(name, place, _)| (name.clone(), *place)));
         report_without(scene, &varied, &conditions, low);
         return None;
     };
@@ -102,7 +109,17 @@ pub fn read(
     }
     let objective = found(&objective, place, model, low)?;
     let conditions = conditions.iter().map(|(name, place)| found(name, *place, model, low));
-    let conditions = conditions.collect::<Option<_>>()?;
+    let conditions: Vec<usize> = conditions.collect::<Option<_>>()?;
+    let preferences = preferences.iter().map(|(name, place, weight)| {
+        let measure = found(name, *place, model, low)?;
+        if conditions.contains(&measure) {
+            let report = Diagnostic::error(*place, "what is required is preferred as well");
+            low.diagnostics.push(report.hint("leave one of the two out"));
+            return None;
+        }
+        Some((measure, priced((measure, objective), (*place, weight.as_ref()), model, low)?))
+    });
+    let preferences = preferences.collect::<Option<_>>()?;
     let mut all: Vec<VariedInfo> = Vec::new();
     for one in varied {
         let info = bounds(one, constants, low)?;
@@ -113,7 +130,41 @@ pub fn read(
         }
         all.push(info);
     }
-    Some(SynthesisInfo { varied: all, conditions, objective })
+    Some(SynthesisInfo { varied: all, conditions, preferences, objective })
+}
+
+/// What a preference that is missed costs, per unit of what it is missed by: in the unit of what is made small.
+fn priced(
+    (measure, objective): (usize, usize),
+    (place, weight): (Span, Option<&Term>),
+    model: &SceneModel,
+    low: &mut Lowering<'_>,
+) -> Option<f64> {
+    let (value, kind) = match weight {
+        Some(weight) => low.fixed(weight)?,
+        None => (1.0, Kind::NUMBER),
+    };
+    let place = weight.map_or(place, |weight| weight.span);
+    let dimension = |measure: usize| Dimension::of(model.measures[measure].quantity.dimension);
+    let [missed, small] = [measure, objective].map(dimension);
+    if kind.dimension().mul(&missed) != Some(small) {
+        let ratio =
+            small.div(&missed).map_or_else(String::new, |one| Unit::for_dimension(&one).symbol);
+        let [missed, small] = [missed, small].map(describe);
+        let message = format!(
+            "this is missed by {missed}, and what is made small is {small}: the weight says what the one is worth in the other"
+        );
+        let hint = format!("give it in {ratio}: `prefer … < … weight 0.2 [{ratio}];`");
+        low.diagnostics.push(Diagnostic::error(place, message).hint(hint));
+        return None;
+    }
+    if value <= 0.0 {
+        let report =
+            Diagnostic::error(place, format!("a weight is above zero, and this is {value}"));
+        low.diagnostics.push(report);
+        return None;
+    }
+    Some(value)
 }
 
 /// The name of the measure that is made small.
@@ -173,8 +224,10 @@ fn bounds(
     let kind = low.kind_of(Symbol::Parameter(index as u32));
     let what = format!("`{}`", name.text);
     let declared = constants[index].as_ref()?.range;
-    let (from, to) = match &one.range {
-        Some((from, to)) => {
+    let mut values = Vec::new();
+    let ((from, to), place) = match &one.among {
+        Among::Permitted => (declared, name.span),
+        Among::Range(from, to) => {
             let ends = (low.fixed_of(from, kind, &what)?, low.fixed_of(to, kind, &what)?);
             let place = from.span.to(to.span);
             if ends.0 >= ends.1 {
@@ -182,26 +235,42 @@ fn bounds(
                 low.diagnostics.push(Diagnostic::error(place, message));
                 return None;
             }
-            if ends.0 < declared.0 || ends.1 > declared.1 {
-                let message = format!("{what} is not permitted everywhere in this range");
-                let report = Diagnostic::error(place, message);
-                low.diagnostics.push(report.related(
-                    names.constants[index].name.span,
-                    "declared here, with its permitted range",
-                ));
+            (ends, place)
+        }
+        Among::Values(terms) => {
+            for term in terms {
+                values.push(low.fixed_of(term, kind, &what)?);
+            }
+            values.sort_by(f64::total_cmp);
+            values.dedup();
+            let place = terms[0].span.to(terms[terms.len() - 1].span);
+            if values.len() < 2 {
+                let report = Diagnostic::error(place, "there is nothing to choose from");
+                let hint = format!("give two values or more: `vary {} in {{-1, 1}};`", name.text);
+                low.diagnostics.push(report.hint(hint));
                 return None;
             }
-            ends
+            ((values[0], values[values.len() - 1]), place)
         }
-        None => declared,
     };
+    if from < declared.0 || to > declared.1 {
+        let message = format!("{what} is not permitted everywhere in this range");
+        let report = Diagnostic::error(place, message);
+        low.diagnostics.push(
+            report.related(
+                names.constants[index].name.span,
+                "declared here, with its permitted range",
+            ),
+        );
+        return None;
+    }
     if !(from.is_finite() && to.is_finite()) {
         let message = format!("nothing says between which values {what} is varied");
         let hint = format!("write `vary {} in lowest .. highest;`", name.text);
         low.diagnostics.push(Diagnostic::error(name.span, message).hint(hint));
         return None;
     }
-    Some(VariedInfo { name: name.text.clone(), place: name.span, constant: 0, from, to })
+    Some(VariedInfo { name: name.text.clone(), place: name.span, constant: 0, from, to, values })
 }
 
 /// Finds the constants that are varied among those of a whole scene, and reports those that change nothing in it.

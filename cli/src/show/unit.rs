@@ -42,6 +42,16 @@ pub fn stated(value: f64, factor: f64) -> f64 {
     if (si(short, factor) - value).abs() <= slack { short } else { plain }
 }
 
+/// The unit of one thing per another; nothing where both have the same.
+pub fn ratio(one: &str, other: &str) -> String {
+    match (one, other) {
+        (one, other) if one == other => String::new(),
+        (one, "") => one.to_owned(),
+        ("", other) => format!("1/({other})"),
+        (one, other) => format!("{one}/({other})"),
+    }
+}
+
 /// A number of units of this size in SI units, rounded once: as the language scales what a file declares.
 pub fn si(number: f64, factor: f64) -> f64 {
     match inverse(factor) {

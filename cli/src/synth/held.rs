@@ -77,21 +77,12 @@ fn best(page: &mut Page, found: &Found, polish: &Polish) {
         ("multiplier", Align::Point),
         ("", Align::Left),
     ]);
-    let objective = found.measure(found.synthesis.objective);
     for one in &polish.held {
         let quantity = found.measure(one.measure);
         let at = one.at.map(|at| number::significant(at / way.map_or(1.0, |way| way.factor), 7));
         let (multiplier, unit) = match one.measure == found.synthesis.objective {
             true => (one.multiplier, String::new()),
-            false => {
-                let unit = match (objective.unit, quantity.unit) {
-                    (a, b) if a == b => String::new(),
-                    (a, "") => a.to_owned(),
-                    ("", b) => format!("1/({b})"),
-                    (a, b) => format!("{a}/({b})"),
-                };
-                (one.multiplier * quantity.factor / objective.factor, unit)
-            }
+            false => found.cost((one.measure, one.multiplier)),
         };
         let multiplier = number::significant(multiplier, 4);
         table.row([quantity.name.to_owned(), at.unwrap_or_default(), multiplier, unit]);

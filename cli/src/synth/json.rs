@@ -23,6 +23,8 @@ pub struct Object {
     minimised: &'static str,
     /// The measures that must not be below zero, the most important first.
     kept: Vec<&'static str>,
+    /// The measures that had better not be below zero.
+    preferred: Vec<Preferred>,
     /// The best one first.
     designs: Vec<Design>,
     /// Designs that were judged.
@@ -43,6 +45,19 @@ struct Varied {
     unit: &'static str,
     from: f64,
     to: f64,
+    /// The only values that it may have; none where it may have any.
+    values: Vec<f64>,
+}
+
+/// A condition that had better be kept.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Preferred {
+    name: &'static str,
+    /// What is added to what is made small per unit of what is missed.
+    weight: f64,
+    /// Its unit.
+    unit: String,
 }
 
 /// A design that was found.
@@ -52,7 +67,9 @@ struct Design {
     values: Vec<Amount>,
     /// Whether it keeps all conditions.
     keeps: bool,
-    /// What is made small, then what is left of each condition.
+    /// What is made small, with what is missed of preferences.
+    worth: Number,
+    /// What is made small, then what is left of each condition, then of each preference.
     measures: Vec<Measure>,
     /// Why it has none; null where it has.
     reason: Option<String>,
@@ -140,6 +157,11 @@ impl Object {
             unit: quantity.unit,
             from: unit::stated(one.from, quantity.factor),
             to: unit::stated(one.to, quantity.factor),
+            values: one.values.iter().map(|one| unit::stated(*one, quantity.factor)).collect(),
+        });
+        let preferred = found.synthesis.preferences.iter().map(|one| {
+            let (weight, unit) = found.cost(*one);
+            Preferred { name: found.measure(one.0).name, weight, unit }
         });
         let kept = found.synthesis.conditions.iter().map(|index| found.measure(*index).name);
         Self {
@@ -148,6 +170,7 @@ impl Object {
             varied: varied.collect(),
             minimised: found.measure(found.synthesis.objective).name,
             kept: kept.collect(),
+            preferred: preferred.collect(),
             designs: (1..=found.designs.len()).map(|number| Design::of(found, number)).collect(),
             evaluations: found.evaluations,
             seed: found.seed,
@@ -172,9 +195,12 @@ impl Design {
                 estimated_error: number(unit::stated(error, quantity.factor)),
             }
         });
+        let worth = found.synthesis.worth(|index| proposal.measure(index).0);
+        let factor = found.measure(found.synthesis.objective).factor;
         Self {
             values: values.map(|(quantity, value)| Amount::of(quantity, *value)).collect(),
             keeps: proposal.candidate.score.is_kept(),
+            worth: number(unit::stated(worth, factor)),
             measures: measures.collect(),
             reason: proposal.measures.as_ref().err().cloned(),
             preset: proposal.preset(found, place),

@@ -169,10 +169,18 @@ impl Found {
         &self.constants.scene.measures[index]
     }
 
-    /// The measures of interest: what is made small, then the margins.
+    /// The measures of interest: what is made small, then the margins of conditions, then those of preferences.
     fn measures(&self) -> impl Iterator<Item = (usize, &'static Quantity)> {
-        let all = std::iter::once(&self.synthesis.objective).chain(self.synthesis.conditions);
+        let preferences = self.synthesis.preferences.iter().map(|one| &one.0);
+        let margins = self.synthesis.conditions.iter().chain(preferences);
+        let all = std::iter::once(&self.synthesis.objective).chain(margins);
         all.map(|index| (*index, self.measure(*index)))
+    }
+
+    /// What a unit that a preference is missed by costs, with the unit of that.
+    fn cost(&self, (index, cost): (usize, f64)) -> (f64, String) {
+        let (quantity, objective) = (self.measure(index), self.measure(self.synthesis.objective));
+        (cost * quantity.factor / objective.factor, unit::ratio(objective.unit, quantity.unit))
     }
 }
 

@@ -44,6 +44,14 @@ fn problem(page: &mut Page, found: &Found) {
         let text = if quantity.summary.is_empty() { "" } else { ", " };
         page.line(&format!("Kept:       {}{text}{}", quantity.name, quantity.summary));
     }
+    for (index, cost) in found.synthesis.preferences {
+        let quantity = found.measure(*index);
+        let (cost, unit) = found.cost((*index, *cost));
+        let cost = format!("{} {unit}", number::short(cost));
+        let text = if quantity.summary.is_empty() { "" } else { ", " };
+        let price = format!("else {} of what is missed is added", cost.trim_end());
+        page.line(&format!("Preferred:  {}{text}{}; {price}", quantity.name, quantity.summary));
+    }
     page.line("");
 }
 
@@ -76,6 +84,16 @@ fn designs(page: &mut Page, found: &Found) {
             true => quantity.name.to_owned(),
             false => format!("left of {}", quantity.name),
         };
+        if found.synthesis.preferences.first().is_some_and(|one| one.0 == index) {
+            let objective = found.measure(found.synthesis.objective);
+            let worth = shown.iter().map(|one| {
+                let worth = found.synthesis.worth(|index| one.measure(index).0);
+                number::significant(worth / objective.factor, 6)
+            });
+            let first =
+                ["with what is missed of preferences".to_owned(), objective.unit.to_owned()];
+            table.row(first.into_iter().chain(worth).collect::<Vec<_>>());
+        }
         let values = shown.iter().map(|one| {
             let (value, error) = one.measure(index);
             let (value, error) = (value / quantity.factor, error / quantity.factor);

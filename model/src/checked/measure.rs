@@ -19,6 +19,8 @@ pub struct SynthesisInfo {
     pub varied: Vec<VariedInfo>,
     /// The measures that must not be below zero, the most important first.
     pub conditions: Vec<usize>,
+    /// The measures that had better not be below zero, each with what it costs per unit of what is missed.
+    pub preferences: Vec<(usize, f64)>,
     /// The measure that is made small.
     pub objective: usize,
 }
@@ -36,6 +38,8 @@ pub struct VariedInfo {
     pub from: f64,
     /// Upper end.
     pub to: f64,
+    /// The only values that it may have, in ascending order; none where it may have any.
+    pub values: Vec<f64>,
 }
 
 /// A number of a run that is found by looking at it.

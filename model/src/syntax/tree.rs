@@ -4,7 +4,7 @@ mod scene;
 mod term;
 mod visit;
 
-pub use scene::{Expect, ExpectAt, Output, Scene, SceneItem, Selection, SweepRange, Varied};
+pub use scene::{Among, Expect, ExpectAt, Output, Scene, SceneItem, Selection, SweepRange, Varied};
 pub use term::{BinaryOperator, Points, TableTerm, Term, TermKind, UnaryOperator, UnitTerm};
 pub use visit::Visitor;
 

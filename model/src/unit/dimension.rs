@@ -29,6 +29,11 @@ impl Dimension {
         Self(list)
     }
 
+    /// With these exponents, numerator and denominator.
+    pub const fn of(exponents: [(i8, i8); 7]) -> Self {
+        Self(exponents)
+    }
+
     /// The dimension of a product; none if an exponent would be absurdly large.
     pub fn mul(&self, other: &Self) -> Option<Self> {
         self.combine(other, 1)

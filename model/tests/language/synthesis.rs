@@ -33,6 +33,31 @@ fn what_is_sought_is_measures_and_constants() {
 }
 
 #[test]
+fn preferences_cost_what_they_are_missed_by() {
+    let scene = first_scene(&format!(
+        "{ROCKER} scene best {{ sweep phi; vary l1; prefer l1 > 7 mm weight 3 [deg/mm] \"long\"; prefer swing < 1; minimise swing; }}"
+    ));
+    let preferences = scene.synthesis.expect("it seeks").preferences;
+    let name = |index: usize| scene.measures[index].quantity.name.as_str();
+    let found: Vec<_> = preferences.iter().map(|(index, cost)| (name(*index), *cost)).collect();
+    assert_eq!(found, [("l1 > 7 mm", 3f64.to_radians() * 1e3), ("swing < 1", 1.0)]);
+}
+
+#[test]
+fn a_constant_may_have_certain_values_only() {
+    let scene = first_scene(&format!(
+        "{ROCKER} scene best {{ sweep phi; vary turn in {{2 deg, -1 deg, 2 deg}}, l1; minimise swing; }}"
+    ));
+    let varied = scene.synthesis.expect("it seeks").varied;
+    let [low, high] = [-1.0, 2.0].map(f64::to_radians);
+    assert_eq!(
+        (varied[0].from, varied[0].to, &varied[0].values[..]),
+        (low, high, &[low, high][..])
+    );
+    assert_eq!(varied[1].values, []);
+}
+
+#[test]
 fn a_measure_of_the_file_or_a_named_one_may_be_made_small() {
     for (what, name, unit) in [("swing", "swing", ""), ("all = 2*swing [deg]", "all", "deg")] {
         let text = format!("{ROCKER} scene best {{ sweep phi; vary l1; minimise {what}; }}");
@@ -59,6 +84,14 @@ fn what_is_wrong_is_told() {
             "did you mean",
         ),
         ("vary psi in 0 deg .. 9 deg; minimise swing;", "parameter `psi`", "psi", ""),
+        (
+            "vary l1 in {6 mm, 6 mm}; minimise swing;",
+            "nothing to choose from",
+            "6 mm, 6 mm",
+            "vary l1 in {",
+        ),
+        ("vary l1 in {6 mm, 6 m}; minimise swing;", "not permitted", "6 mm, 6 m", ""),
+        ("vary l1 in {6 mm, 6 deg}; minimise swing;", "`l1`", "6 deg", "give it in m"),
         ("vary l1 in 9 mm .. 6 mm; minimise swing;", "the range is empty", "9 mm .. 6 mm", ""),
         ("vary l1 in 1 deg .. 2 deg; minimise swing;", "`l1`", "1 deg", "give it in m"),
         (
@@ -68,6 +101,26 @@ fn what_is_wrong_is_told() {
             "",
         ),
         ("vary l1; require swing; minimise swing;", "between two numbers", "swing", "of its own"),
+        (
+            "vary l1; prefer a < 1 m; minimise swing;",
+            "missed by a length",
+            "a < 1 m",
+            "weight 0.2 [1/m]",
+        ),
+        ("vary l1; prefer swing < 1 weight -2; minimise swing;", "above zero", "-2", ""),
+        ("vary l1; prefer swing < 1 weight l1; minimise swing;", "a fixed value", "l1", ""),
+        (
+            "vary l1; require swing < 1; prefer swing < 1; minimise swing;",
+            "preferred as well",
+            "swing < 1",
+            "leave one",
+        ),
+        (
+            "prefer swing > 1 rad;",
+            "does not say what is to be small",
+            "swing > 1 rad",
+            "add `minimise",
+        ),
         ("vary l1; minimise far;", "no measure `far`", "far", ""),
     ] {
         let text = format!("{ROCKER} scene best {{ sweep phi; {items} }}");

@@ -35,8 +35,20 @@ pub struct Synthesis {
     pub varied: List<Varied>,
     /// The measures that must not be below zero, by index, the most important first.
     pub conditions: List<usize>,
+    /// The measures that had better not be below zero, by index, each with what is added to what is made small per unit of what
+    /// is missed.
+    pub preferences: List<(usize, f64)>,
     /// The measure that is made small, by index.
     pub objective: usize,
+}
+
+impl Synthesis {
+    /// What is made small, with what preferences that are missed cost, from the measures.
+    pub fn worth(&self, measure: impl Fn(usize) -> f64) -> f64 {
+        let preferences = self.preferences.iter();
+        let costs = preferences.map(|(index, cost)| cost * f64::max(-measure(*index), 0.0));
+        measure(self.objective) + costs.sum::<f64>()
+    }
 }
 
 /// A constant that a synthesis chooses.
@@ -48,13 +60,15 @@ pub struct Varied {
     pub from: f64,
     /// Upper end.
     pub to: f64,
+    /// The only values that it may have, in ascending order; none where it may have any.
+    pub values: List<f64>,
 }
 
 impl Varied {
-    /// A constant with its range.
+    /// A constant with its range, and the only values that it may have.
     #[doc(hidden)]
-    pub const fn new(constant: usize, from: f64, to: f64) -> Self {
-        Self { constant, from, to }
+    pub const fn new(constant: usize, (from, to): (f64, f64), values: List<f64>) -> Self {
+        Self { constant, from, to, values }
     }
 }
 

@@ -4,8 +4,8 @@ use super::cursor::within;
 use super::{Parser, Read};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::tree::{
-    Expect, ExpectAt, Name, Output, Scene, SceneItem, Selection, StatementKind, SweepRange, Target,
-    Term, TermKind, Varied,
+    Among, Expect, ExpectAt, Name, Output, Scene, SceneItem, Selection, StatementKind, SweepRange,
+    Target, Term, TermKind, Varied,
 };
 
 impl Parser<'_> {
@@ -55,7 +55,7 @@ impl Parser<'_> {
     pub(super) fn item(&mut self) -> Read<Vec<SceneItem>> {
         let _ = self.documentation();
         let keyword = self.name(
-            "what the scene does: `periodic`, `run`, `rest`, `sweep`, `hold`, `preset`, `output`, `start`, `vary`, `require` or `minimise`",
+            "what the scene does: `periodic`, `run`, `rest`, `sweep`, `hold`, `preset`, `output`, `start`, `vary`, `require`, `prefer` or `minimise`",
         )?;
         let items = match keyword.text.as_str() {
             "periodic" => {
@@ -97,6 +97,11 @@ impl Parser<'_> {
             "require" => {
                 vec![SceneItem::Require { condition: self.term()?, text: self.text() }]
             }
+            "prefer" => {
+                let condition = self.term()?;
+                let weight = if self.take_word("weight") { Some(self.term()?) } else { None };
+                vec![SceneItem::Prefer { condition, weight, text: self.text() }]
+            }
             "minimise" => vec![SceneItem::Minimise { what: self.output()? }],
             "hold" => {
                 let drivers = self.commas(|parser| parser.path("a driver"))?;
@@ -111,7 +116,7 @@ impl Parser<'_> {
             }
             other => {
                 let message = format!("`{other}` is nothing that a scene does");
-                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `rest`, `sweep`, `hold`, `preset`, `output`, `start`, `vary`, `require` or `minimise`"));
+                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `rest`, `sweep`, `hold`, `preset`, `output`, `start`, `vary`, `require`, `prefer` or `minimise`"));
             }
         };
         self.operator(";")?;
@@ -140,11 +145,20 @@ impl Parser<'_> {
         Ok(SweepRange { driver, range })
     }
 
-    /// `L1` or `L1 in 3 mm .. 20 mm`
+    /// `L1`, `L1 in 3 mm .. 20 mm` or `mode in {-1, 1}`
     fn varied(&mut self) -> Read<Varied> {
         let constant = self.path("a dimension or parameter")?;
-        let range = if self.take_word("in") { Some(self.range()?) } else { None };
-        Ok(Varied { constant, range })
+        let among = if !self.take_word("in") {
+            Among::Permitted
+        } else if self.take_open('{') {
+            let values = self.commas(Self::term)?;
+            self.close('}')?;
+            Among::Values(values)
+        } else {
+            let (from, to) = self.range()?;
+            Among::Range(from, to)
+        };
+        Ok(Varied { constant, among })
     }
 
     /// `x`, `F1 [kN]`, `F1 = … [kN]`, `dot(x) [mm/s]`

@@ -35,6 +35,7 @@ const NOT_UNITS: &[&str] = &[
     "lognormal",
     "over",
     "else",
+    "weight",
     "rises",
     "falls",
     "crosses",

@@ -47,10 +47,12 @@ pub enum SceneItem {
     Hold { drivers: Vec<Name> },
     /// `start run;`: the mode in which the motion begins.
     StartIn { mode: Name },
-    /// `vary L1 in 3 mm .. 20 mm, eta;`: constants that a synthesis chooses.
+    /// `vary L1 in 3 mm .. 20 mm, mode in {-1, 1}, eta;`: constants that a synthesis chooses.
     Vary { constants: Vec<Varied> },
     /// `require peak(mu) < 50 deg "text";`: a condition that a synthesis keeps.
     Require { condition: Term, text: Option<String> },
+    /// `prefer peak(mu) < 50 deg weight 0.2 "text";`: a condition that a synthesis keeps if that is worth it.
+    Prefer { condition: Term, weight: Option<Term>, text: Option<String> },
     /// `minimise peak(abs(error));`: what a synthesis makes small.
     Minimise { what: Output },
 }
@@ -60,8 +62,19 @@ pub enum SceneItem {
 pub struct Varied {
     /// The constant.
     pub constant: Name,
-    /// Between which values; within its permitted range unless stated.
-    pub range: Option<(Term, Term)>,
+    /// From what.
+    pub among: Among,
+}
+
+/// What a value is chosen from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Among {
+    /// All that the constant permits.
+    Permitted,
+    /// `in 3 mm .. 20 mm`
+    Range(Term, Term),
+    /// `in {-1, 1}`
+    Values(Vec<Term>),
 }
 
 /// A driver that a scene moves through a range.

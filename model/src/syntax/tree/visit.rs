@@ -1,8 +1,8 @@
 //! One walk through the terms and declared names of a statement, for whoever changes them.
 
 use super::{
-    Expect, ExpectAt, Name, Output, Scene, SceneItem, Selection, StatementKind, Target, Term,
-    TermKind, Tolerance, Unknown, When,
+    Among, Expect, ExpectAt, Name, Output, Scene, SceneItem, Selection, StatementKind, Target,
+    Term, TermKind, Tolerance, Unknown, When,
 };
 
 /// What is done to the parts of a statement.
@@ -121,10 +121,21 @@ impl Scene {
                 SceneItem::Output(output) => output.visit(visitor),
                 SceneItem::Start { values } => pairs(values, visitor),
                 SceneItem::Vary { constants } => {
-                    let ranges = constants.iter_mut().filter_map(|one| one.range.as_mut());
-                    ranges.for_each(|(from, to)| pair((from, to), visitor));
+                    for one in constants {
+                        match &mut one.among {
+                            Among::Permitted => {}
+                            Among::Range(from, to) => pair((from, to), visitor),
+                            Among::Values(values) => {
+                                values.iter_mut().for_each(|value| visitor.term(value));
+                            }
+                        }
+                    }
                 }
                 SceneItem::Require { condition, .. } => visitor.term(condition),
+                SceneItem::Prefer { condition, weight, .. } => {
+                    visitor.term(condition);
+                    some(weight, visitor);
+                }
                 SceneItem::Minimise { what } => what.visit(visitor),
             }
         }

@@ -1,6 +1,8 @@
 //! A scene that chooses its own values: those for which a measure is least, of all that keep its conditions.
 
 #[cfg(feature = "synthesis")]
+mod neighbours;
+#[cfg(feature = "synthesis")]
 mod polish;
 mod seek;
 
@@ -14,7 +16,7 @@ use crate::registry::{Bind, SceneEntry};
 use assur_solvers::answer::{Error, Question, Settings};
 use assur_solvers::closure::{Along, AnyLinkage, ClosureError};
 use assur_solvers::measure::Missing;
-use assur_solvers::shape::Synthesis;
+use assur_solvers::shape::{Synthesis, Varied};
 use assur_solvers::synthesis::{Judge, Score, Sought};
 
 /// What of a way is lost counts half, what gap is left at its begin the other half.
@@ -45,7 +47,14 @@ impl<'a> Design<'a> {
             let is_angle = scene.constants[one.constant].quantity.dimension
                 == assur_solvers::shape::Unit::NONE.dimension;
             let is_turn = is_angle && (one.to - one.from - TAU).abs() <= TURN;
-            Sought { low: one.from, high: one.to, is_turn }
+            // Half of what lies between two values that it may have belongs to each.
+            let (low, high) = match (one.values.first_chunk(), one.values.last_chunk()) {
+                (Some([first, second]), Some([before, last])) => {
+                    (first - 0.5 * (second - first), last + 0.5 * (last - before))
+                }
+                _ => (one.from, one.to),
+            };
+            Sought { low, high, is_turn: is_turn && one.values.is_empty() }
         });
         let conditions = synthesis.conditions.iter();
         Some(Self {
@@ -66,10 +75,19 @@ impl<'a> Design<'a> {
     /// All constants of a design.
     pub fn values(&self, design: &[f64]) -> Vec<f64> {
         let mut values = self.values.clone();
-        for (one, value) in self.synthesis.varied.iter().zip(design) {
-            values[one.constant] = *value;
+        for (one, value) in self.synthesis.varied.iter().zip(self.permitted(design)) {
+            values[one.constant] = value;
         }
         values
+    }
+
+    /// A design with the nearest values that each number may have.
+    fn permitted(&self, design: &[f64]) -> Vec<f64> {
+        let nearest = |(one, value): (&Varied, &f64)| {
+            let closer = |a: &&f64, b: &&f64| (*a - value).abs().total_cmp(&(*b - value).abs());
+            one.values.iter().min_by(closer).copied().unwrap_or(*value)
+        };
+        self.synthesis.varied.iter().zip(design).map(nearest).collect()
     }
 
     /// The measures of a design with their estimated errors, none where nobody knows one.
@@ -100,9 +118,11 @@ impl<'a> Design<'a> {
         }
     }
 
-    /// Whether a measure is made small or kept.
+    /// Whether a measure is made small, kept or preferred.
     fn needs(&self, measure: usize) -> bool {
-        measure == self.synthesis.objective || self.synthesis.conditions.contains(&measure)
+        measure == self.synthesis.objective
+            || self.synthesis.conditions.contains(&measure)
+            || self.synthesis.preferences.iter().any(|one| one.0 == measure)
     }
 
     /// How many conditions there are.
@@ -160,17 +180,14 @@ impl<'a> Design<'a> {
     }
 
     fn weigh(&self, measures: &[Result<f64, Missing>]) -> Score {
-        let all = [self.synthesis.objective];
-        let mut needed = self.synthesis.conditions.iter().chain(&all);
-        if needed.any(|index| !matches!(measures[*index], Ok(value) if value.is_finite())) {
+        let is_known = |index: usize| matches!(measures[index], Ok(value) if value.is_finite());
+        if (0..measures.len()).any(|index| self.needs(index) && !is_known(index)) {
             return Score::missing(self.count() + ALL);
         }
         let margins = self.margins(|index| measures[index].unwrap_or(f64::NAN), false);
         match missed(&margins) {
             Some(first) => Score::missing(first),
-            None => {
-                Score { missed: 0.0, value: measures[self.synthesis.objective].unwrap_or(f64::NAN) }
-            }
+            None => Score::kept(self.synthesis.worth(|index| measures[index].unwrap_or(f64::NAN))),
         }
     }
 

@@ -3,20 +3,15 @@
 //! The measures of a linkage are given by their facets ([`Facets`]), so that all places of an extreme that may count are known with
 //! their slopes; those of a motion are compared with those of neighbours.
 
+use super::neighbours::Neighbours;
 use super::{Candidate, Design};
-use crate::registry::Bind;
 use crate::study::each;
-use assur_solvers::closure::{AnyLinkage, Facet, Facets};
+use assur_solvers::closure::Facet;
 use assur_solvers::measure::Sense;
-use assur_solvers::synthesis::{Aim, End, Local, Look, Sought, certify, polish};
+use assur_solvers::synthesis::{Aim, End, certify, polish};
 
-/// Conditions are kept by so much more than they have to be, over what they change by within the ranges: what a measure says of
-/// them is not exact either.
-const INWARD: f64 = 1e-9;
 /// What a polished design may lose by that, over its value.
 const LOSS: f64 = 1e-6;
-/// Part of its range by which a value is varied to see how a motion changes.
-const BESIDE: f64 = 1e-4;
 /// Places of neighbouring facets are no farther apart than this part of the way.
 const BESIDE_PLACES: f64 = 0.02;
 /// Looks at most.
@@ -113,9 +108,8 @@ impl Design<'_> {
 
     /// Polishes a design; none where it cannot be judged.
     fn polished(&self, from: &[f64], is_stopped: &dyn Fn() -> bool) -> Option<(Polish, Vec<f64>)> {
-        let mut neighbours =
-            Neighbours { design: self, facets: None, scales: Vec::new(), is_stopped };
-        let polished = polish(&mut neighbours, Aim::Largest, from, LOOKS).ok()?;
+        let (mut neighbours, from) = Neighbours::of(self, from, is_stopped)?;
+        let polished = polish(&mut neighbours, Aim::Largest, &from, LOOKS).ok()?;
         let certificate = certify(&mut neighbours, Aim::Largest, &polished)?;
         let all = neighbours.facets_of(&polished.design)?;
         let (first, others) = all.split_first()?;
@@ -126,15 +120,15 @@ impl Design<'_> {
         };
         let objective =
             certificate.values.iter().map(|(index, multiplier)| held(*index, *multiplier));
+        let wanted = self.wanted();
         // The rows of conditions are those of all facets, one condition after the other.
         let rows = others.iter().enumerate();
         let rows: Vec<_> =
             rows.flat_map(|(k, facets)| (0..facets.len()).map(move |place| (k, place))).collect();
         let conditions = certificate.conditions.iter().map(|(index, multiplier)| {
             let (k, place) = rows[*index];
-            let measure = self.synthesis.conditions[k];
-            let at = others[k][place].at;
-            Held { measure, at, multiplier: multiplier / neighbours.scales[k] }
+            let (measure, at) = (wanted[k + 1].0, others[k][place].at);
+            Held { measure, at, multiplier: multiplier / neighbours.scale(k) }
         });
         // Several parts of the way may stand for one place.
         let mut held: Vec<Held> = Vec::new();
@@ -148,23 +142,26 @@ impl Design<'_> {
                 _ => held.push(one),
             }
         }
+        let bounds = certificate.bounds.iter();
+        let bounds = bounds.filter_map(|(index, gain)| Some((neighbours.varied(*index)?, *gain)));
         let polish = Polish {
             end: polished.end,
             looks: polished.looks,
             held,
-            bounds: certificate.bounds,
+            bounds: bounds.collect(),
             free: certificate.free,
             curvature: certificate.curvature,
             slope: polished.slope,
         };
-        Some((polish, polished.design))
+        Some((polish, neighbours.whole(&polished.design)))
     }
 
-    /// What is made small, then the conditions, each with the sense in which it is good.
-    fn wanted(&self) -> Vec<(usize, Sense)> {
-        let conditions = self.synthesis.conditions.iter();
+    /// What is made small, then the conditions and the preferences, each with the sense in which it is good.
+    pub(super) fn wanted(&self) -> Vec<(usize, Sense)> {
+        let preferences = self.synthesis.preferences.iter().map(|one| &one.0);
+        let margins = self.synthesis.conditions.iter().chain(preferences);
         let first = (self.synthesis.objective, Sense::Smallest);
-        std::iter::once(first).chain(conditions.map(|one| (*one, Sense::Largest))).collect()
+        std::iter::once(first).chain(margins.map(|one| (*one, Sense::Largest))).collect()
     }
 }
 
@@ -194,105 +191,4 @@ fn span(facets: &[Facet]) -> f64 {
     let (low, high) = places
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
     high - low
-}
-
-/// The neighbours of a design.
-struct Neighbours<'a> {
-    design: &'a Design<'a>,
-    /// Of a linkage, once one is known.
-    facets: Option<Facets>,
-    /// What each condition changes by within the ranges, where polishing begins.
-    scales: Vec<f64>,
-    is_stopped: &'a dyn Fn() -> bool,
-}
-
-impl Neighbours<'_> {
-    fn facets_of(&mut self, design: &[f64]) -> Option<Vec<Vec<Facet>>> {
-        match self.design.bind {
-            Bind::Linkage(bind) => {
-                let linkage = bind(&self.design.values(design)).ok()?;
-                self.of_linkage(&*linkage)
-            }
-            Bind::Motion(_) => self.compared(design),
-        }
-    }
-
-    fn of_linkage(&mut self, linkage: &dyn AnyLinkage) -> Option<Vec<Vec<Facet>>> {
-        let way = linkage.way()?;
-        let design = self.design;
-        let facets = self.facets.get_or_insert_with(|| {
-            let constants = design.synthesis.varied.iter();
-            let constants = constants.map(|one| (one.constant, one.to - one.from)).collect();
-            linkage.facets(way, constants, &design.wanted())
-        });
-        facets.of(linkage).ok()
-    }
-
-    /// The measures as they are, beside those of neighbours within the bounds.
-    fn compared(&self, design: &[f64]) -> Option<Vec<Vec<Facet>>> {
-        let measures = |design: &[f64]| -> Option<Vec<f64>> {
-            let all = self.design.found(design)?;
-            Some(all.into_iter().map(|one| one.unwrap_or(f64::NAN)).collect())
-        };
-        let here = measures(design)?;
-        let beside = self.design.sought.iter().enumerate().map(|(index, one)| {
-            let [behind, ahead] = [-BESIDE, BESIDE].map(|part| {
-                let mut other = design.to_vec();
-                other[index] += part * one.width();
-                if !one.is_turn {
-                    other[index] = other[index].clamp(one.low, one.high);
-                }
-                other
-            });
-            let way = ahead[index] - behind[index];
-            let (behind, ahead) = (measures(&behind)?, measures(&ahead)?);
-            Some(ahead.iter().zip(behind).map(|(a, b)| (a - b) / way).collect::<Vec<f64>>())
-        });
-        let slopes: Vec<Vec<f64>> = beside.collect::<Option<_>>()?;
-        let facet = |(measure, _): (usize, Sense)| {
-            let slopes = slopes.iter().map(|all| all[measure]).collect();
-            vec![Facet { at: None, value: here[measure], slopes }]
-        };
-        Some(self.design.wanted().into_iter().map(facet).collect())
-    }
-
-    /// The slopes of a facet in units of the ranges, all together.
-    fn reach(&self, facet: &Facet) -> f64 {
-        let each = facet.slopes.iter().zip(&self.design.sought);
-        each.map(|(slope, one)| slope.abs() * one.width()).sum()
-    }
-}
-
-impl Local for Neighbours<'_> {
-    fn sought(&self) -> &[Sought] {
-        &self.design.sought
-    }
-
-    fn is_stopped(&self) -> bool {
-        (self.is_stopped)()
-    }
-
-    fn look(&mut self, design: &[f64]) -> Option<Look> {
-        let all = self.facets_of(design)?;
-        let (first, others) = all.split_first()?;
-        if self.scales.is_empty() {
-            let reach = |facets: &Vec<Facet>| {
-                let most = facets.iter().map(|facet| self.reach(facet)).fold(0.0, f64::max);
-                if most > 0.0 && most.is_finite() { most } else { 1.0 }
-            };
-            self.scales = others.iter().map(reach).collect();
-        }
-        let mut look = Look::default();
-        for facet in first {
-            look.values.push(facet.value);
-            look.slopes.extend(&facet.slopes);
-        }
-        for (facets, scale) in others.iter().zip(&self.scales) {
-            for facet in facets {
-                look.conditions.push(facet.value / scale - INWARD);
-                look.slopes.extend(facet.slopes.iter().map(|slope| slope / scale));
-            }
-        }
-        Some(look)
-    }
 }
