@@ -1,6 +1,7 @@
 //! The command as its users meet it: what it answers, what it refuses, and what it leaves behind.
 
 mod answers;
+mod classics;
 mod costs;
 mod equation_files;
 mod events;

@@ -124,20 +124,6 @@ fn designs_as_tables_and_rows() {
     assert!(rows.starts_with("l1 [mm],l2 [mm],a [mm],peak(abs(cos_mu))"), "{rows}");
 }
 
-/// The dwell six-bar: polishing the best of two hundred designs made at random is enough for a tenth of a degree over the turn.
-#[test]
-fn a_dwell_comes_of_polishing() {
-    let folder = folder("synth_dwell");
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/dwell_synthesis.eqn");
-    let arguments = ["synth", file, "--scene", "best", "--evaluations", "198", "--searches", "1"];
-    let found: Value =
-        serde_json::from_str(&answer(&[&arguments[..], &["--format", "json"]].concat(), &folder))
-            .expect("one JSON object");
-    let best = &found["designs"][0];
-    assert_eq!(best["keeps"], true, "{best}");
-    assert!(value(&best["measures"], 0) < 0.1 && !best["polish"].is_null(), "{best}");
-}
-
 /// A search that is stopped, whenever that is, goes on from its file and comes to the same designs, bit for bit.
 #[test]
 fn a_search_goes_on_from_its_file() {

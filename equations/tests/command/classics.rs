@@ -1,0 +1,140 @@
+//! `assur synth` on problems whose best is known: the examples, as a user would run them.
+
+use serde_json::Value;
+use std::f64::consts::LN_2;
+
+use super::{answer, folder};
+
+/// What is found for a scene of an example.
+fn sought(example: &str, arguments: &[&str]) -> Value {
+    let file = format!("{}/../examples/synthesis/{example}.eqn", env!("CARGO_MANIFEST_DIR"));
+    let all = [&["synth", file.as_str(), "--format", "json"], arguments].concat();
+    let directory = folder(&format!("classics_{example}_{}", arguments[1]));
+    serde_json::from_str(&answer(&all, &directory)).expect("one JSON object")
+}
+
+fn value(list: &Value, index: usize) -> f64 {
+    list[index]["value"].as_f64().expect("a number")
+}
+
+/// The best design, which holds in all directions but so many, in which it curves upwards.
+#[track_caller]
+fn settled(found: &Value, free: u64) -> Value {
+    let best = &found["designs"][0];
+    let polish = &best["polish"];
+    assert!(polish["settled"] == true && polish["free"] == free, "{best}");
+    let curvature = polish["least_curvature"].as_f64();
+    assert_eq!(curvature.is_some_and(|one| one > 0.0), free > 0, "{best}");
+    best.clone()
+}
+
+/// Chebyshev's lambda mechanism: frame (4 + √7)/3 and coupler (3 + √7)/2 over the crank, with both assembly modes.
+#[test]
+fn the_straightest_crank_rocker_is_chebyshevs() {
+    let found = sought("straight_line", &["--scene", "best", "--evaluations", "12000"]);
+    let best = settled(&found, 0);
+    let root = 7f64.sqrt();
+    let [b, c, d, u] = [0, 1, 2, 3].map(|index| value(&best["values"], index) / 10.0);
+    for (found, expected) in
+        [(b, (3.0 + root) / 2.0), (c, b), (d, (4.0 + root) / 3.0), (u, 2.0 * b)]
+    {
+        assert!((found - expected).abs() < 1e-6, "{best}");
+    }
+    // Seven places, with alternating signs, hold six numbers.
+    let places = best["polish"]["held"].as_array().expect("a list").len();
+    assert!((7..=8).contains(&places), "{best}");
+    let designs = found["designs"].as_array().expect("a list").iter().take(2);
+    let modes: Vec<f64> = designs.map(|one| value(&one["values"], 6)).collect();
+    assert!(modes.contains(&1.0) && modes.contains(&-1.0), "{modes:?}");
+}
+
+/// Freudenstein's equation `d/a cos ψ - d/c cos φ + (a² - b² + c² + d²)/(2 a c) = cos(φ - ψ)` at three points with Chebyshev's
+/// spacing is nearly the best: four errors of equal size are.
+#[test]
+fn three_lengths_generate_a_function() {
+    let found = sought("function_generator", &["--scene", "lengths", "--evaluations", "4000"]);
+    let best = settled(&found, 0);
+    assert!(best["polish"]["held"].as_array().expect("a list").len() >= 4, "{best}");
+    let (phi, psi) = (
+        |x: f64| (26.0 + 60.0 * (x - 1.0)).to_radians(),
+        |x: f64| (305.0 + 90.0 * x.ln() / LN_2).to_radians(),
+    );
+    let points = [1.0, 3.0, 5.0].map(|k: f64| 1.5 - 0.5 * (k * std::f64::consts::PI / 6.0).cos());
+    let row = |x: f64| [psi(x).cos(), -phi(x).cos(), 1.0, (phi(x) - psi(x)).cos()];
+    let [k1, k2, k3] = solved(points.map(row));
+    // (k1 - cos φ) cos ψ - sin φ sin ψ = k2 cos φ - k3: what the rocker errs by at each place.
+    let error = |x: f64| {
+        let (s, c) = phi(x).sin_cos();
+        let (p, q, r) = (k1 - c, -s, k2 * c - k3);
+        let (angle, side) = (q.atan2(p), (r / p.hypot(q)).clamp(-1.0, 1.0).acos());
+        let off = [angle + side, angle - side].map(|psi_found| {
+            let off = psi_found - psi(x);
+            off.sin().atan2(off.cos()).abs()
+        });
+        off[0].min(off[1]).to_degrees()
+    };
+    let spaced = (0..=4000).map(|k| error(1.0 + f64::from(k) / 4000.0)).fold(0.0, f64::max);
+    let found = value(&best["measures"], 0);
+    assert!(found < spaced && spaced < 1.3 * found, "{found} {spaced}");
+}
+
+/// The solution of three linear equations.
+fn solved(mut rows: [[f64; 4]; 3]) -> [f64; 3] {
+    for k in 0..3 {
+        let pivot = (k..3).max_by(|a, b| rows[*a][k].abs().total_cmp(&rows[*b][k].abs()));
+        rows.swap(k, pivot.unwrap_or(k));
+        for other in (0..3).filter(|other| *other != k) {
+            let factor = rows[other][k] / rows[k][k];
+            let row = rows[k];
+            rows[other].iter_mut().zip(row).for_each(|(entry, one)| *entry -= factor * one);
+        }
+    }
+    [0, 1, 2].map(|k| rows[k][3] / rows[k][k])
+}
+
+/// By a simplex method on the exact extremes, from the roots of the polynomial: a flat valley.
+#[test]
+fn the_cam_law_of_the_least_acceleration() {
+    let found = sought("cam_law", &["--scene", "best", "--evaluations", "2000"]);
+    let best = settled(&found, 1);
+    assert!((value(&best["measures"], 0) - 4.381_904_404_688).abs() < 1e-9, "{best}");
+    assert!((value(&best["values"], 0) - 0.336_369).abs() < 1e-6, "{best}");
+}
+
+/// By SciPy 1.17 on 20001 positions, which leave 1e-6 N of the peak.
+#[test]
+fn the_counterweight_of_the_least_shaking_force() {
+    let found = sought("counterweight", &["--scene", "best", "--evaluations", "2000"]);
+    let best = settled(&found, 0);
+    assert!((value(&best["values"], 0) - 32.909_974_8).abs() < 1e-4, "{best}");
+    assert!((value(&best["values"], 1) - 180.0).abs() < 1e-4, "{best}");
+    assert!((value(&best["measures"], 0) - 190.083_925).abs() < 1e-4, "{best}");
+}
+
+/// The rocker that stands still for 60 of 360 degrees: a certified best design after few random ones.
+#[test]
+fn a_dwell_comes_of_polishing() {
+    let effort = ["--scene", "best", "--evaluations", "198", "--searches", "1"];
+    let best = settled(&sought("dwell_six_bar", &effort), 0);
+    assert_eq!(best["keeps"], true, "{best}");
+    assert!(best["worth"].as_f64().is_some_and(|worth| worth < 0.1), "{best}");
+}
+
+/// `a + weight max(3 - a, 0)` is least at 0, where the preference is worth less than it costs, else at 3, where it begins to be
+/// missed.
+#[test]
+fn preferences_are_kept_where_that_is_worth_it() {
+    let directory = folder("classics_preferences");
+    for (weight, expected) in [("0.5", 0.0), ("2", 3.0)] {
+        let text = format!(
+            "assur::mechanism! {{ Wish from \"made up\"; parameter a = 1 in 0 .. 10; driver t in 0 .. 1; output y = a*t; \
+             scene best {{ sweep t; vary a; prefer a > 3 weight {weight}; minimise peak(y); }} }}"
+        );
+        std::fs::write(directory.join("wish.eqn"), text).expect("the folder is writable");
+        let all = ["synth", "wish.eqn", "--format", "json", "--evaluations", "400"];
+        let found: Value = serde_json::from_str(&answer(&all, &directory)).expect("one object");
+        let best = settled(&found, 0);
+        assert!((value(&best["values"], 0) - expected).abs() < 1e-7, "{best}");
+        assert_eq!(found["preferred"][0]["weight"].to_string().parse(), weight.parse::<f64>());
+    }
+}
