@@ -53,6 +53,11 @@ impl Progress {
         self.advance_by(1);
     }
 
+    /// Says something else of the work.
+    pub fn say(&self, what: String) {
+        self.bar.set_message(what);
+    }
+
     /// So many parts more are done.
     pub fn advance_by(&self, parts: u64) {
         self.bar.inc(parts);

@@ -15,6 +15,7 @@ pub const EXAMPLES: &str = "Examples:
   assur synth my.eqn --evaluations 400000 --searches 8 --seed 7
   assur synth my.eqn --set l4=110mm --format json
   assur synth my.eqn --resume my.search
+  assur synth my.eqn --resume my.search --more 60s
   assur synth my.eqn --plot best.svg --draw best-positions.svg
 
 The scene says what is varied, kept and made small: `vary l1 in 5 mm .. 60 mm;`, `require peak(mu) < 50 deg;`,
@@ -26,8 +27,11 @@ lie. The distinct designs are printed, the best one first, with what is left of 
 as a preset that can be put into the equation file. An interrupt (Ctrl-C) ends the search and prints what there is; with --resume
 it goes on later, and finds what it would have found without a stop.
 
-Start values pick the assembly mode of every design, so that designs beyond those for which they pick another one are not found;
-`max(…, 0)` of what is to be small has a corner at which polishing stops: keep what is meant by a condition instead.
+Start values pick the assembly mode of every design: where they follow from the dimensions, `dependent psi ~ eta + mode*90 deg`,
+all designs have the mode that is meant, and `vary mode in {-1, 1};` seeks in both. What had better be kept, but need not, is a
+`prefer peak(mu) < 50 deg weight 0.2;`: `max(…, 0)` of what is to be small has a corner at which polishing stops.
+
+Many short searches find more than few long ones, since what they find is polished: some hundred designs each are enough.
 
 Csv has one row a design.";
 
@@ -43,11 +47,11 @@ pub struct SynthArguments {
     pub asked: Asked,
     /// Designs that are judged, all searches together.
     #[arg(long, value_name = "NUMBER", value_parser = whole::<1, MOST>)]
-    #[arg(default_value = "80000", allow_hyphen_values = true)]
+    #[arg(default_value = "8000", allow_hyphen_values = true)]
     pub evaluations: u64,
     /// Searches, each from other designs.
     #[arg(long, value_name = "NUMBER", value_parser = whole::<1, 10_000>)]
-    #[arg(default_value = "4", allow_hyphen_values = true)]
+    #[arg(default_value = "8", allow_hyphen_values = true)]
     pub searches: u64,
     /// Designs of the first generation of a search; 18 for each value that is varied unless given.
     #[arg(long, value_name = "NUMBER", value_parser = whole::<4, 65_536>)]
@@ -61,6 +65,12 @@ pub struct SynthArguments {
     #[arg(long, value_name = "NUMBER", value_parser = whole::<0, THREADS>)]
     #[arg(default_value = "0", allow_hyphen_values = true)]
     pub threads: u64,
+    /// Seeks on after these searches, each time from other designs, for so long: `60s`.
+    #[arg(long, value_name = "TIME")]
+    pub more: Option<String>,
+    /// The design first that is best where it is made within the tolerances of its dimensions.
+    #[arg(long)]
+    pub robust: bool,
     /// A file of where the search stands. If it is there the search goes on from it; it is written again and again, and once more
     /// where the search ends or is interrupted.
     #[arg(long, value_name = "FILE")]

@@ -69,6 +69,8 @@ struct Design {
     keeps: bool,
     /// What is made small, with what is missed of preferences.
     worth: Number,
+    /// What is made small where the dimensions err by their tolerances, to first order; null where nothing has any.
+    made: Option<f64>,
     /// What is made small, then what is left of each condition, then of each preference.
     measures: Vec<Measure>,
     /// Why it has none; null where it has.
@@ -201,6 +203,7 @@ impl Design {
             values: values.map(|(quantity, value)| Amount::of(quantity, *value)).collect(),
             keeps: proposal.candidate.score.is_kept(),
             worth: number(unit::stated(worth, factor)),
+            made: proposal.made.map(|made| unit::stated(made, factor)),
             measures: measures.collect(),
             reason: proposal.measures.as_ref().err().cloned(),
             preset: proposal.preset(found, place),

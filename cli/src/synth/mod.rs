@@ -5,20 +5,19 @@ mod held;
 mod json;
 mod picture;
 mod resume;
+mod search;
 mod table;
 
 pub use arguments::{EXAMPLES, SynthArguments};
 pub use json::Object;
 
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
 use assur::closure::Along;
 use assur::registry::Bind;
 use assur::shape::{Quantity, Synthesis};
-use assur::study::{Candidate, Design, Polish, Stand, seek, settle};
-use assur::synthesis::Effort;
+use assur::study::{Candidate, Design, Polish, settle};
 use serde::Serialize;
 
 use crate::answer::{Answer, give};
@@ -30,9 +29,7 @@ use crate::show::csv::{cell, line, title};
 use crate::show::number;
 use crate::show::output::{Destination, Stoppable};
 use crate::show::page::Page;
-use crate::show::progress::Progress;
 use crate::show::unit;
-use resume::Search;
 
 /// Digits of values in pictures.
 const DIGITS: usize = 7;
@@ -76,6 +73,8 @@ struct Proposal {
     candidate: Candidate,
     /// How it was polished; none where that made it no better.
     polish: Option<Polish>,
+    /// What is made small where it is made within tolerances; none where nothing has any.
+    made: Option<f64>,
     /// Its measures with their errors; none where it does not get through its task.
     measures: Result<Vec<(f64, f64)>, String>,
 }
@@ -92,43 +91,23 @@ impl Found {
         let design = Design::of(scene, &constants.values, &settings);
         let design = design.ok_or_else(|| Failure::request("the scene seeks nothing"))?;
         refuse_given(&constants, design.synthesis())?;
-        let effort = Effort {
-            evaluations: options.evaluations,
-            seed: options.seed,
-            population: options.population.map(|size| size as usize),
-            threads: options.threads as usize,
-        };
-        let mut searched = Search::begin(options, &constants, &settings)?;
-        let mut stand = std::mem::take(&mut searched.stand);
-        let what = format!("{}, scene {}: designs", constants.mechanism.name, scene.name);
-        let (bar, stoppable) = (Progress::start(what, options.evaluations), Stoppable::begin());
-        let (mut heard, mut refused) = (0, None);
-        let mut progress = |stand: &Stand| {
-            bar.advance_by(stand.evaluations().saturating_sub(heard));
-            heard = heard.max(stand.evaluations());
-            refused = searched.keep(stand).err();
-            match stoppable.is_stopped() || refused.is_some() {
-                true => ControlFlow::Break(()),
-                false => ControlFlow::Continue(()),
-            }
-        };
-        let found = seek(&design, &effort, options.searches, &mut stand, &mut progress);
-        let found = found.map_err(|error| Failure::request(error.to_string()))?;
-        if let Some(failure) = refused {
-            return Err(failure);
-        }
-        searched.write(&stand)?;
-        let evaluations = stand.evaluations();
-        drop(bar);
-        let settled = settle(&design, found, effort.threads, &|| stoppable.is_stopped());
+        let stoppable = Stoppable::begin();
+        let (found, evaluations) =
+            search::run(options, &constants, (&design, &settings), &stoppable)?;
+        let threads = options.threads as usize;
+        let settled = settle(&design, found, threads, &|| stoppable.is_stopped());
         let is_whole = !stoppable.is_stopped();
         drop(stoppable);
         let designs = settled.into_iter().map(|settled| Proposal {
+            made: design.made(&settled.candidate.design),
             measures: design.measures(&settled.candidate.design),
             candidate: settled.candidate,
             polish: settled.polish,
         });
-        let designs: Vec<_> = designs.collect();
+        let mut designs: Vec<_> = designs.collect();
+        if options.robust {
+            robust_first(&mut designs)?;
+        }
         let best = designs.first().map(|best| design.values(&best.candidate.design));
         let found = Self {
             synthesis: design.synthesis(),
@@ -182,6 +161,24 @@ impl Found {
         let (quantity, objective) = (self.measure(index), self.measure(self.synthesis.objective));
         (cost * quantity.factor / objective.factor, unit::ratio(objective.unit, quantity.unit))
     }
+}
+
+/// Puts designs that keep all conditions first, and of these those that are best where they are made within tolerances.
+fn robust_first(designs: &mut [Proposal]) -> Result<(), Failure> {
+    if designs.iter().all(|one| one.made.is_none()) {
+        return Err(Failure::request("nothing that the design is made of has a tolerance")
+            .place("--robust")
+            .remedy(
+                "give dimensions a tolerance: `dimension l1 = 20 mm +- 0.02 mm in 5 mm .. 60 mm;`",
+            ));
+    }
+    designs.sort_by(|a, b| {
+        let of =
+            |one: &Proposal| (!one.candidate.score.is_kept(), one.made.unwrap_or(f64::INFINITY));
+        let (a, b) = (of(a), of(b));
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+    });
+    Ok(())
 }
 
 /// The only driver of a linkage that goes a way.

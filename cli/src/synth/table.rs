@@ -105,6 +105,14 @@ fn designs(page: &mut Page, found: &Found) {
         });
         let first = [name, quantity.unit.to_owned()];
         table.row(first.into_iter().chain(values).collect::<Vec<_>>());
+        if index == found.synthesis.objective && shown.iter().any(|one| one.made.is_some()) {
+            let made = shown.iter().map(|one| {
+                let made = one.made.map(|made| number::significant(made / quantity.factor, 6));
+                made.unwrap_or_default()
+            });
+            let first = ["made within tolerances".to_owned(), quantity.unit.to_owned()];
+            table.row(first.into_iter().chain(made).collect::<Vec<_>>());
+        }
     }
     page.section("What they come to", &table);
 }

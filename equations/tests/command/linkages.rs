@@ -334,8 +334,20 @@ fn an_output_that_stands_for_a_moment_does_not_turn() {
 #[test]
 fn start_values_far_from_the_position_are_told() {
     let directory = folder("linkage_far_start");
-    let usual = json(&["run", "dwell_six_bar"], &directory);
+    let usual = json(&["run", "feed_lift"], &directory);
     assert_eq!(usual["note"], Value::Null);
+    let far = ["feed_lift", "--set", "l_v=137mm", "--set", "r_D=49mm", "--set", "e_v=4mm"];
+    let found = json(&[&["run"], &far[..]].concat(), &directory);
+    let note = found["note"].as_str().expect("a note");
+    assert!(note.contains("`assur modes feed_lift"), "{note}");
+    let drawn = answer(&[&["draw"], &far[..]].concat(), &directory);
+    assert!(drawn.contains("assur modes"), "{drawn}");
+}
+
+/// Where start values follow from the dimensions none is far from the position: the mode is the one that is meant, whatever they are.
+#[test]
+fn start_values_follow_from_the_dimensions() {
+    let directory = folder("linkage_start_follows");
     let sizes = [
         "L2=95mm",
         "L3=58mm",
@@ -348,12 +360,18 @@ fn start_values_far_from_the_position_are_told() {
         "Y_3=-21mm",
     ];
     let sets = sizes.iter().flat_map(|size| ["--set", size]);
-    let far: Vec<&str> = ["dwell_six_bar"].into_iter().chain(sets).collect();
-    let found = json(&[&["run"], &far[..]].concat(), &directory);
-    let note = found["note"].as_str().expect("a note");
-    assert!(note.contains("`assur modes dwell_six_bar"), "{note}");
-    let drawn = answer(&[&["draw"], &far[..]].concat(), &directory);
-    assert!(drawn.contains("assur modes"), "{drawn}");
+    let far: Vec<&str> = ["run", "dwell_six_bar"].into_iter().chain(sets).collect();
+    let mut angles = Vec::new();
+    for (m1, m2) in [("1", "1"), ("1", "-1"), ("-1", "1"), ("-1", "-1")] {
+        let (m1, m2) = (format!("M1={m1}"), format!("M2={m2}"));
+        let all = [&far[..], &["--set", &m1, "--set", &m2, "--at", "phi=0deg"]].concat();
+        let found = json(&all, &directory);
+        assert_eq!(found["note"], Value::Null, "{all:?}");
+        let angle = |name: &str| named(&found["at"][0]["results"], name)["value"].as_f64();
+        angles.push(["theta", "Psi"].map(|name| angle(name).expect("an angle")));
+    }
+    let [[t1, p1], [t2, p2], [t3, _], [t4, _]] = angles[..] else { panic!("{angles:?}") };
+    assert!(t1 == t2 && t3 == t4 && (t1 - t3).abs() > 1.0 && (p1 - p2).abs() > 1.0, "{angles:?}");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! A scene that chooses its own values: those for which a measure is least, of all that keep its conditions.
 
+mod made;
 #[cfg(feature = "synthesis")]
 mod neighbours;
 #[cfg(feature = "synthesis")]
@@ -16,7 +17,7 @@ use crate::registry::{Bind, SceneEntry};
 use assur_solvers::answer::{Error, Question, Settings};
 use assur_solvers::closure::{Along, AnyLinkage, ClosureError};
 use assur_solvers::measure::Missing;
-use assur_solvers::shape::{Synthesis, Varied};
+use assur_solvers::shape::{Constant, Synthesis, Varied};
 use assur_solvers::synthesis::{Judge, Score, Sought};
 
 /// What of a way is lost counts half, what gap is left at its begin the other half.
@@ -29,6 +30,7 @@ const TURN: f64 = 1e-12 * TAU;
 /// The synthesis that a scene states.
 pub struct Design<'a> {
     bind: &'a Bind,
+    constants: &'a [Constant],
     synthesis: Synthesis,
     /// Of each condition whether it follows from the constants alone.
     fixed: Vec<bool>,
@@ -59,6 +61,7 @@ impl<'a> Design<'a> {
         let conditions = synthesis.conditions.iter();
         Some(Self {
             bind: &scene.bind,
+            constants: scene.constants,
             synthesis,
             fixed: conditions.map(|index| scene.shape.uses[*index].is_empty()).collect(),
             sought: sought.collect(),

@@ -40,6 +40,13 @@ impl Stand {
         self.judged + self.population.as_ref().map_or(0, |population| population.evaluations)
     }
 
+    /// What the best design so far is worth.
+    pub fn best(&self) -> Option<&Score> {
+        let found = self.found.iter().map(|one| &one.score);
+        let own = self.population.iter().flat_map(|population| &population.scores);
+        found.chain(own).min_by(|a, b| a.order(b))
+    }
+
     /// Takes a design that was found, unless it is there, or a better one like it.
     fn take(&mut self, design: &Design<'_>, candidate: Candidate) {
         let is_same = |other: &&mut Candidate| design.is_same(&other.design, &candidate.design);
@@ -52,8 +59,8 @@ impl Stand {
 }
 
 /// Seeks so many times, each time from other designs, and gives the distinct ones that were found, the best first. It goes on from
-/// where `stand` stands, and what it comes to is what it would have come to without a stop. `progress` hears where the
-/// searches stand, and may end them.
+/// where `stand` stands, and what it comes to is what it would have come to without a stop. The effort is that of so many
+/// searches; others follow until `progress`, which hears where the searches stand, ends them.
 ///
 /// # Errors
 /// [`SynthesisError`] if the problem makes no sense, or the searches belong to another one.
@@ -65,8 +72,8 @@ pub fn seek(
     progress: &mut dyn FnMut(&Stand) -> ControlFlow<()>,
 ) -> Result<Vec<Candidate>, SynthesisError> {
     let searches = searches.max(1);
-    let mut going = ControlFlow::Continue(());
-    while going.is_continue() && stand.over < searches {
+    let mut going = progress(stand);
+    while going.is_continue() {
         let own = Effort {
             evaluations: effort.evaluations / searches,
             seed: effort.seed.wrapping_add(stand.over.wrapping_mul(0x9e37_79b9)),
