@@ -295,7 +295,7 @@ fn start_values_follow_from_what_is_given() {
     check(&wrong, &[("a start value is expected here", "psi", "how the links are put together")]);
     check(
         &text(swept, "sweep phi; start gamma = d;"),
-        &[("`gamma`", "d", "as a pure number or an angle")],
+        &[("`gamma` is a pure number", "d", "")],
     );
 }
 
