@@ -293,10 +293,7 @@ fn start_values_follow_from_what_is_given() {
     let swept = "driver phi in 0 deg .. 360 deg;";
     let wrong = text(swept, "sweep phi;").replace("phi + 2*side", "psi");
     check(&wrong, &[("a start value is expected here", "psi", "how the links are put together")]);
-    check(
-        &text(swept, "sweep phi; start gamma = d;"),
-        &[("`gamma` is a pure number", "d", "")],
-    );
+    check(&text(swept, "sweep phi; start gamma = d;"), &[("`gamma` is a pure number", "d", "")]);
 }
 
 /// A driver that a scene holds is a parameter in it, with the value, range and tolerance that it has.

@@ -13,8 +13,8 @@ const FARTHEST: f64 = 0.5;
 const WIDE: f64 = 1e-6;
 /// A gain that counts as none, over the value.
 const GAIN: f64 = 1e-13;
-/// What is promised over the value, and does not come true, is what slopes are rounded by.
-const TRUSTED: f64 = 1e-11;
+/// What is promised over the value, and does not come true though the region would permit more, is what slopes are rounded by.
+const TRUSTED: f64 = 1e-10;
 /// A step is taken if so much of what it promises comes true.
 const BELIEVED: f64 = 0.1;
 /// Shares of what is promised below and above which the region changes.
@@ -172,7 +172,7 @@ impl Way<'_> {
             stand.region = (2.0 * region).min(FARTHEST);
         }
         let is_taken = share >= BELIEVED;
-        if !is_taken && promised <= TRUSTED * size && region >= WIDE {
+        if !is_taken && promised <= TRUSTED * size && (region >= WIDE || length < 0.5 * region) {
             return Some(End::Settled);
         }
         stand.failed += 1;
