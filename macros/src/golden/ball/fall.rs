@@ -69,7 +69,7 @@ impl Fall {
     fn span_<S: ::assur::scalar::Scalar>(&self) -> [S; 2] {
         [S::ZERO, S::from_f64(2.0)]
     }
-    /// The declared start values of the state.
+    /// The declared start values.
     fn start_<S: ::assur::scalar::Scalar>(&self) -> [S; 2] {
         [S::ONE, S::ZERO]
     }

@@ -266,7 +266,7 @@ impl Elastic {
         let n = <S as ::assur::scalar::Scalar>::from_f64(self.n);
         [S::from_f64(6.283185307179586) / n]
     }
-    /// The declared start values of the state.
+    /// The declared start values.
     fn start_<S: ::assur::scalar::Scalar>(&self) -> [S; 6] {
         [S::ZERO, S::ZERO, S::ZERO, S::ZERO, S::ZERO, S::ZERO]
     }

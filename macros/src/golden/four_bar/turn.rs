@@ -66,6 +66,10 @@ impl Turn {
     pub fn values(&self) -> [f64; 4] {
         [self.a, self.b, self.c, self.d]
     }
+    /// The declared start values.
+    fn start_<S: ::assur::scalar::Scalar>(&self) -> [S; 2] {
+        [S::from_f64(0.3490658503988659), S::from_f64(1.3962634015954636)]
+    }
 }
 impl ::assur::closure::Linkage for Turn {
     type Closure<S: ::assur::scalar::Scalar> = TurnEquations<S>;
@@ -85,34 +89,34 @@ impl ::assur::closure::Linkage for Turn {
     #[inline(always)]
     fn prepare<S: ::assur::scalar::Scalar>(&self, values: &[S]) -> Self::Closure<S> {
         let b = values[1];
-        let v5_ = S::ONE / b;
+        let v7_ = S::ONE / b;
         let a = values[0];
-        let v7_ = S::abs(b);
+        let v9_ = S::abs(b);
         let c = values[2];
-        let v9_ = S::abs(c);
-        let v10_ = v7_ + v9_;
-        let v11_ = v7_ - v9_;
+        let v11_ = S::abs(c);
+        let v12_ = v9_ + v11_;
+        let v13_ = v9_ - v11_;
         let d = values[3];
-        let v21_ = S::ONE / c;
+        let v23_ = S::ONE / c;
         TurnEquations {
             b,
-            v5_,
+            v7_,
             a,
             c,
-            v10_,
-            v13_: S::from_f64(0.5) * (v10_ * v11_),
-            v15_: -d,
-            v16_: a * a,
-            v17_: v10_ * v10_,
-            v19_: -(v11_ * v11_),
-            v20_: -S::from_f64(0.5) * a,
-            v21_,
-            v23_: S::from_f64(0.5) / (v7_ * v9_),
-            v25_: -S::abs(v11_),
-            v26_: a * c,
-            v27_: v5_ * v21_,
-            v28_: b * a,
-            v29_: b * c,
+            v12_,
+            v15_: S::from_f64(0.5) * (v12_ * v13_),
+            v17_: -d,
+            v18_: a * a,
+            v19_: v12_ * v12_,
+            v21_: -(v13_ * v13_),
+            v22_: -S::from_f64(0.5) * a,
+            v23_,
+            v25_: S::from_f64(0.5) / (v9_ * v11_),
+            v27_: -S::abs(v13_),
+            v28_: a * c,
+            v29_: v7_ * v23_,
+            v30_: b * a,
+            v31_: b * c,
         }
     }
     fn check(&self) -> ::core::result::Result<(), ::assur::problem::Refused> {
@@ -132,6 +136,6 @@ impl ::assur::closure::Linkage for Turn {
         ]
     }
     fn start(&self) -> ::std::vec::Vec<f64> {
-        ::std::vec![0.3490658503988659, 1.3962634015954636]
+        self.start_::<f64>().to_vec()
     }
 }

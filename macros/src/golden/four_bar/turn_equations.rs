@@ -3,37 +3,37 @@
 pub struct TurnEquations<S: ::assur::scalar::Scalar> {
     b: S,
     /// `1/b`
-    v5_: S,
+    v7_: S,
     a: S,
     c: S,
     /// `abs(b) + abs(c)`
-    v10_: S,
-    /// `0.5*(v10_*(abs(b) - abs(c)))`
-    v13_: S,
-    /// `-d`
+    v12_: S,
+    /// `0.5*(v12_*(abs(b) - abs(c)))`
     v15_: S,
-    /// `a^2`
-    v16_: S,
-    /// `v10_^2`
+    /// `-d`
     v17_: S,
-    /// `-(abs(b) - abs(c))^2`
+    /// `a^2`
+    v18_: S,
+    /// `v12_^2`
     v19_: S,
-    /// `(-0.5)*a`
-    v20_: S,
-    /// `1/c`
+    /// `-(abs(b) - abs(c))^2`
     v21_: S,
-    /// `0.5/(abs(b)*abs(c))`
+    /// `(-0.5)*a`
+    v22_: S,
+    /// `1/c`
     v23_: S,
-    /// `-abs(abs(b) - abs(c))`
+    /// `0.5/(abs(b)*abs(c))`
     v25_: S,
-    /// `a*c`
-    v26_: S,
-    /// `v5_*v21_`
+    /// `-abs(abs(b) - abs(c))`
     v27_: S,
-    /// `b*a`
+    /// `a*c`
     v28_: S,
-    /// `b*c`
+    /// `v7_*v23_`
     v29_: S,
+    /// `b*a`
+    v30_: S,
+    /// `b*c`
+    v31_: S,
 }
 impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<S> {
     type Position = [S; 6];
@@ -50,37 +50,37 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
     }
     /// - `instant[0]`: `sin(phi)`
     /// - `instant[1]`: `cos(phi)`
-    /// - `instant[2]`: `v15_ + a*cos(phi)`
+    /// - `instant[2]`: `v17_ + a*cos(phi)`
     /// - `instant[3]`: `a*sin(phi)`
-    /// - `instant[4]`: `-a*sin(phi)*(v13_*(1/(v16_*sin(phi)^2 + (v15_ + a*cos(phi))^2)) + 0.5)`
-    /// - `instant[6]`: `-(v15_ + a*cos(phi))*(v13_*(1/(v16_*sin(phi)^2 + (v15_ + a*cos(phi))^2)) + 0.5)`
-    /// - `instant[8]`: `a*sin(phi)*(0.5 - v13_*(1/(v16_*sin(phi)^2 + (v15_ + a*cos(phi))^2)))`
-    /// - `instant[9]`: `(v15_ + a*cos(phi))*(0.5 - v13_*(1/(v16_*sin(phi)^2 + (v15_ + a*cos(phi))^2)))`
+    /// - `instant[4]`: `-a*sin(phi)*(v15_*(1/(v18_*sin(phi)^2 + (v17_ + a*cos(phi))^2)) + 0.5)`
+    /// - `instant[6]`: `-(v17_ + a*cos(phi))*(v15_*(1/(v18_*sin(phi)^2 + (v17_ + a*cos(phi))^2)) + 0.5)`
+    /// - `instant[8]`: `a*sin(phi)*(0.5 - v15_*(1/(v18_*sin(phi)^2 + (v17_ + a*cos(phi))^2)))`
+    /// - `instant[9]`: `(v17_ + a*cos(phi))*(0.5 - v15_*(1/(v18_*sin(phi)^2 + (v17_ + a*cos(phi))^2)))`
     #[inline(always)]
     fn instant(&self, independents: &[S]) -> Self::Instant {
         let phi = independents[0];
         let (sin_phi_, cos_phi_) = S::sin_cos(phi);
-        let v34_ = S::mul_add(self.a, cos_phi_, self.v15_);
-        let v37_ = S::mul_add(self.v16_, sin_phi_ * sin_phi_, v34_ * v34_);
-        let v38_ = S::ONE / v37_;
-        let v39_ = S::mul_add(self.v13_, v38_, S::from_f64(0.5));
-        let v40_ = self.a * sin_phi_;
-        let v46_ = S::sqrt((self.v17_ - v37_) * (self.v19_ + v37_));
-        let v55_ = S::mul_add(-self.v13_, v38_, S::from_f64(0.5));
-        let v59_ = S::sqrt(v37_);
+        let v36_ = S::mul_add(self.a, cos_phi_, self.v17_);
+        let v39_ = S::mul_add(self.v18_, sin_phi_ * sin_phi_, v36_ * v36_);
+        let v40_ = S::ONE / v39_;
+        let v41_ = S::mul_add(self.v15_, v40_, S::from_f64(0.5));
+        let v42_ = self.a * sin_phi_;
+        let v48_ = S::sqrt((self.v19_ - v39_) * (self.v21_ + v39_));
+        let v57_ = S::mul_add(-self.v15_, v40_, S::from_f64(0.5));
+        let v61_ = S::sqrt(v39_);
         [
             sin_phi_,
             cos_phi_,
-            v34_,
-            v40_,
-            -(v40_ * v39_),
-            S::from_f64(0.5) * (v38_ * v46_ * v34_),
-            -(v34_ * v39_),
-            self.v20_ * (sin_phi_ * v38_ * v46_),
-            v40_ * v55_,
-            v34_ * v55_,
-            self.v23_ * v46_,
-            S::min(self.v10_ - v59_, self.v25_ + v59_),
+            v36_,
+            v42_,
+            -(v42_ * v41_),
+            S::from_f64(0.5) * (v40_ * v48_ * v36_),
+            -(v36_ * v41_),
+            self.v22_ * (sin_phi_ * v40_ * v48_),
+            v42_ * v57_,
+            v36_ * v57_,
+            self.v25_ * v48_,
+            S::min(self.v12_ - v61_, self.v27_ + v61_),
         ]
     }
     #[inline(always)]
@@ -93,12 +93,12 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
     ) -> S {
         match group {
             0 => {
-                let v70_ = instant[5] * mode;
-                let v73_ = instant[7] * mode;
-                position[2] = self.v5_ * (instant[6] + v73_);
-                position[3] = self.v5_ * (instant[4] + v70_);
-                position[4] = self.v21_ * (instant[9] + v73_);
-                position[5] = self.v21_ * (instant[8] + v70_);
+                let v72_ = instant[5] * mode;
+                let v75_ = instant[7] * mode;
+                position[2] = self.v7_ * (instant[6] + v75_);
+                position[3] = self.v7_ * (instant[4] + v72_);
+                position[4] = self.v23_ * (instant[9] + v75_);
+                position[5] = self.v23_ * (instant[8] + v72_);
                 let angles_ = S::atan2_all(
                     [position[3], position[5]],
                     [position[2], position[4]],
@@ -123,12 +123,12 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         ::assur::exact!(modes, 1);
         {
             let mode = modes[0];
-            let v70_ = instant[5] * mode;
-            let v73_ = instant[7] * mode;
-            position[2] = self.v5_ * (instant[6] + v73_);
-            position[3] = self.v5_ * (instant[4] + v70_);
-            position[4] = self.v21_ * (instant[9] + v73_);
-            position[5] = self.v21_ * (instant[8] + v70_);
+            let v72_ = instant[5] * mode;
+            let v75_ = instant[7] * mode;
+            position[2] = self.v7_ * (instant[6] + v75_);
+            position[3] = self.v7_ * (instant[4] + v72_);
+            position[4] = self.v23_ * (instant[9] + v75_);
+            position[5] = self.v23_ * (instant[8] + v72_);
             sines[0] = instant[10] * mode;
         }
         if angles {
@@ -173,15 +173,15 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
                 position[3] = sines_[0];
                 position[4] = cosines_[1];
                 position[5] = sines_[1];
-                let v84_ = self.b * position[2];
-                let v86_ = self.c * position[4];
-                let v91_ = self.c * position[5];
-                residual[0] = instant[2] + v84_ - v86_;
-                residual[1] = S::mul_add(self.b, position[3], instant[3]) - v91_;
+                let v86_ = self.b * position[2];
+                let v88_ = self.c * position[4];
+                let v93_ = self.c * position[5];
+                residual[0] = instant[2] + v86_ - v88_;
+                residual[1] = S::mul_add(self.b, position[3], instant[3]) - v93_;
                 jacobian[0] = -(self.b * position[3]);
-                jacobian[1] = v91_;
-                jacobian[2] = v84_;
-                jacobian[3] = -v86_;
+                jacobian[1] = v93_;
+                jacobian[2] = v86_;
+                jacobian[3] = -v88_;
             }
             _ => {}
         }
@@ -194,11 +194,11 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         columns: &mut [Self::Position],
     ) {
         ::assur::exact!(mut columns, 1);
-        let v99_ = self.v27_
+        let v101_ = self.v29_
             / S::mul_add(-position[2], position[5], position[3] * position[4]);
-        columns[0][0] = self.v26_
-            * (v99_ * S::mul_add(-instant[0], position[4], instant[1] * position[5]));
-        columns[0][1] = self.v28_ * v99_
+        columns[0][0] = self.v28_
+            * (v101_ * S::mul_add(-instant[0], position[4], instant[1] * position[5]));
+        columns[0][1] = self.v30_ * v101_
             * S::mul_add(-instant[0], position[2], instant[1] * position[3]);
     }
     #[inline(always)]
@@ -238,16 +238,16 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         values: &mut [S],
     ) {
         ::assur::exact!(mut values, 5);
-        let v108_ = self.b
-            * (self.v27_
+        let v110_ = self.b
+            * (self.v29_
                 / S::mul_add(-position[2], position[5], position[3] * position[4]));
-        let v109_ = v108_ * position[3];
-        let v110_ = v108_ * position[2];
-        values[0] = S::mul_add(instant[1], v110_, instant[0] * v109_);
-        values[1] = S::mul_add(position[2], v110_, position[3] * v109_);
-        values[2] = -S::mul_add(position[4], v110_, position[5] * v109_);
-        values[3] = -v110_;
-        values[4] = self.a * S::mul_add(-instant[0], v110_, instant[1] * v109_);
+        let v111_ = v110_ * position[3];
+        let v112_ = v110_ * position[2];
+        values[0] = S::mul_add(instant[1], v112_, instant[0] * v111_);
+        values[1] = S::mul_add(position[2], v112_, position[3] * v111_);
+        values[2] = -S::mul_add(position[4], v112_, position[5] * v111_);
+        values[3] = -v112_;
+        values[4] = self.a * S::mul_add(-instant[0], v112_, instant[1] * v111_);
     }
     #[inline(always)]
     fn second_influence(
@@ -257,108 +257,108 @@ impl<S: ::assur::scalar::Scalar> ::assur::closure::Closure<S> for TurnEquations<
         values: &mut [S],
     ) {
         ::assur::exact!(mut values, 15);
-        let v63_ = -instant[0];
-        let v84_ = self.b * position[2];
-        let v94_ = self.b * position[3];
-        let v99_ = self.v27_
+        let v65_ = -instant[0];
+        let v86_ = self.b * position[2];
+        let v96_ = self.b * position[3];
+        let v101_ = self.v29_
             / S::mul_add(-position[2], position[5], position[3] * position[4]);
-        let v103_ = self.v26_
-            * (v99_ * S::mul_add(-instant[0], position[4], instant[1] * position[5]));
-        let v105_ = S::mul_add(-instant[0], position[2], instant[1] * position[3]);
-        let v106_ = self.v28_ * v99_;
-        let v107_ = v106_ * v105_;
-        let v108_ = self.b * v99_;
-        let v124_ = self.c * v99_;
-        let v125_ = v124_
+        let v105_ = self.v28_
+            * (v101_ * S::mul_add(-instant[0], position[4], instant[1] * position[5]));
+        let v107_ = S::mul_add(-instant[0], position[2], instant[1] * position[3]);
+        let v108_ = self.v30_ * v101_;
+        let v109_ = v108_ * v107_;
+        let v110_ = self.b * v101_;
+        let v126_ = self.c * v101_;
+        let v127_ = v126_
             * S::mul_add(instant[0], position[5], instant[1] * position[4]);
-        let v127_ = S::mul_add(instant[0], position[3], instant[1] * position[2]);
-        let v129_ = S::mul_add(-v108_, v127_, v125_);
-        let v131_ = self.v29_ * position[3] * position[5];
-        let v133_ = self.v29_ * position[2] * position[4];
-        let v135_ = S::mul_add(v133_, v129_, v131_ * v129_);
-        let v146_ = S::mul_add(position[3], position[5], position[2] * position[4]);
-        let v147_ = v99_ * v146_;
-        let v148_ = self.c * v147_;
-        let v149_ = v148_ - v108_;
-        let v150_ = position[5] * v149_;
-        let v152_ = position[4] * v149_;
-        let v155_ = S::mul_add(
+        let v129_ = S::mul_add(instant[0], position[3], instant[1] * position[2]);
+        let v131_ = S::mul_add(-v110_, v129_, v127_);
+        let v133_ = self.v31_ * position[3] * position[5];
+        let v135_ = self.v31_ * position[2] * position[4];
+        let v137_ = S::mul_add(v135_, v131_, v133_ * v131_);
+        let v148_ = S::mul_add(position[3], position[5], position[2] * position[4]);
+        let v149_ = v101_ * v148_;
+        let v150_ = self.c * v149_;
+        let v151_ = v150_ - v110_;
+        let v152_ = position[5] * v151_;
+        let v154_ = position[4] * v151_;
+        let v157_ = S::mul_add(
             position[2],
-            S::mul_add(self.v29_, v152_, -(self.c * position[5])),
-            position[3] * S::mul_add(self.v29_, v150_, self.c * position[4]),
+            S::mul_add(self.v31_, v154_, -(self.c * position[5])),
+            position[3] * S::mul_add(self.v31_, v152_, self.c * position[4]),
         );
-        let v156_ = S::mul_add(-v108_, v155_, S::ONE);
-        let v158_ = v94_ * position[4];
-        let v159_ = v84_ * position[5];
-        let v162_ = v108_ * v146_;
-        let v173_ = S::mul_add(self.b, v147_, -v124_);
-        let v183_ = S::mul_add(
+        let v158_ = S::mul_add(-v110_, v157_, S::ONE);
+        let v160_ = v96_ * position[4];
+        let v161_ = v86_ * position[5];
+        let v164_ = v110_ * v148_;
+        let v175_ = S::mul_add(self.b, v149_, -v126_);
+        let v185_ = S::mul_add(
             position[2],
-            S::mul_add(-self.b, position[5], self.v29_ * position[4] * v173_),
+            S::mul_add(-self.b, position[5], self.v31_ * position[4] * v175_),
             position[3]
-                * S::mul_add(self.v29_ * position[5], v173_, self.b * position[4]),
+                * S::mul_add(self.v31_ * position[5], v175_, self.b * position[4]),
         );
-        let v186_ = v99_ * position[2];
-        let v196_ = v124_ * position[4];
-        let v197_ = S::mul_add(v108_, position[2], -v196_);
-        let v199_ = S::mul_add(v133_, v197_, v131_ * v197_);
-        let v215_ = S::mul_add(
-            -v107_,
-            v155_,
+        let v188_ = v101_ * position[2];
+        let v198_ = v126_ * position[4];
+        let v199_ = S::mul_add(v110_, position[2], -v198_);
+        let v201_ = S::mul_add(v135_, v199_, v133_ * v199_);
+        let v217_ = S::mul_add(
+            -v109_,
+            v157_,
             S::mul_add(
                 self.a,
-                position[2] * S::mul_add(self.b * instant[1], v148_, v63_),
+                position[2] * S::mul_add(self.b * instant[1], v150_, v65_),
                 self.a
-                    * (position[3] * S::mul_add(self.b * instant[0], v148_, instant[1])),
+                    * (position[3] * S::mul_add(self.b * instant[0], v150_, instant[1])),
             ),
         );
-        let v217_ = v99_ * v105_;
-        let v226_ = v103_ - S::ONE;
-        let v231_ = v107_ - v103_;
-        let v234_ = S::mul_add(
-            v107_,
-            S::mul_add(v133_, v231_, v131_ * v231_),
+        let v219_ = v101_ * v107_;
+        let v228_ = v105_ - S::ONE;
+        let v233_ = v109_ - v105_;
+        let v236_ = S::mul_add(
+            v109_,
+            S::mul_add(v135_, v233_, v133_ * v233_),
             S::mul_add(
-                self.v28_ * instant[1],
-                position[2] * v226_,
-                self.v28_ * instant[0] * (position[3] * v226_),
+                self.v30_ * instant[1],
+                position[2] * v228_,
+                self.v30_ * instant[0] * (position[3] * v228_),
             ),
         );
-        values[0] = v108_ * -S::mul_add(v99_ * v135_, v127_, v105_ * v125_);
-        values[1] = -(self.b * (v135_ * (v99_ * v99_)));
-        values[2] = v99_ * v156_;
-        values[3] = v99_
-            * S::mul_add(v162_, v135_, S::mul_add(-v159_, v129_, v158_ * v129_));
-        values[4] = v99_
+        values[0] = v110_ * -S::mul_add(v101_ * v137_, v129_, v107_ * v127_);
+        values[1] = -(self.b * (v137_ * (v101_ * v101_)));
+        values[2] = v101_ * v158_;
+        values[3] = v101_
+            * S::mul_add(v164_, v137_, S::mul_add(-v161_, v131_, v160_ * v131_));
+        values[4] = v101_
             * S::mul_add(
-                v162_,
-                v155_,
+                v164_,
+                v157_,
                 S::mul_add(
                     position[2],
-                    -S::mul_add(self.b, v150_, position[4]),
-                    position[3] * S::mul_add(self.b, v152_, -position[5]),
+                    -S::mul_add(self.b, v152_, position[4]),
+                    position[3] * S::mul_add(self.b, v154_, -position[5]),
                 ),
             );
-        values[5] = v99_
-            * S::mul_add(v162_, v183_, S::mul_add(-v159_, v173_, v158_ * v173_));
-        values[6] = v108_ * S::mul_add(v186_, v135_, position[3] * v125_);
-        values[7] = v99_ * S::mul_add(-position[2], v156_, v94_ * v148_);
-        values[8] = v108_ * S::mul_add(-position[3], v124_, v186_ * v183_);
-        values[9] = v108_ * S::mul_add(-position[3], v196_, v186_ * v199_);
-        values[10] = v99_
+        values[5] = v101_
+            * S::mul_add(v164_, v185_, S::mul_add(-v161_, v175_, v160_ * v175_));
+        values[6] = v110_ * S::mul_add(v188_, v137_, position[3] * v127_);
+        values[7] = v101_ * S::mul_add(-position[2], v158_, v96_ * v150_);
+        values[8] = v110_ * S::mul_add(-position[3], v126_, v188_ * v185_);
+        values[9] = v110_ * S::mul_add(-position[3], v198_, v188_ * v201_);
+        values[10] = v101_
             * S::mul_add(
-                -v107_,
-                v135_,
+                -v109_,
+                v137_,
                 S::mul_add(
-                    v84_,
-                    S::mul_add(self.a * instant[1], v125_, v63_),
-                    v94_ * S::mul_add(instant[3], v125_, instant[1]),
+                    v86_,
+                    S::mul_add(self.a * instant[1], v127_, v65_),
+                    v96_ * S::mul_add(instant[3], v127_, instant[1]),
                 ),
             );
-        values[11] = v99_ * v215_;
-        values[12] = v106_ * -S::mul_add(v217_, v183_, v127_ * v124_);
-        values[13] = v106_ * -S::mul_add(v217_, v199_, v127_ * v196_);
-        values[14] = v99_ * v234_;
+        values[11] = v101_ * v217_;
+        values[12] = v108_ * -S::mul_add(v219_, v185_, v129_ * v126_);
+        values[13] = v108_ * -S::mul_add(v219_, v201_, v129_ * v198_);
+        values[14] = v101_ * v236_;
     }
     #[inline(always)]
     fn points(
