@@ -33,6 +33,9 @@ pub struct Certificate {
     /// The least curvature in these, per range squared: above zero if no neighbour is better. None where no direction is free,
     /// or a neighbour cannot be judged.
     pub curvature: Option<f64>,
+    /// The direction of this curvature, of length one, in units of the ranges: where it is below zero, a better design lies farther
+    /// along it, forth or back.
+    pub direction: Vec<f64>,
 }
 
 /// Looks at what holds a polished design; none where it cannot be judged.
@@ -91,7 +94,9 @@ pub fn certify(local: &mut dyn Local, aim: Aim, polished: &Polished) -> Option<C
         let [Some(behind), Some(ahead)] = ends else { return Some(certificate) };
         columns.push(ahead.iter().zip(behind).map(|(a, b)| (a - b) / (2.0 * BESIDE)).collect());
     }
-    certificate.curvature = least(&free, &columns);
+    if let Some((curvature, direction)) = least(&free, &columns) {
+        (certificate.curvature, certificate.direction) = (Some(curvature), direction);
+    }
     Some(certificate)
 }
 
@@ -128,8 +133,8 @@ impl Certificate {
     }
 }
 
-/// The least curvature in some directions, of which each changes the slope so.
-fn least(directions: &[Vec<f64>], columns: &[Vec<f64>]) -> Option<f64> {
+/// The least curvature in some directions, of which each changes the slope so, and its direction.
+fn least(directions: &[Vec<f64>], columns: &[Vec<f64>]) -> Option<(f64, Vec<f64>)> {
     let count = directions.len();
     if count == 0 {
         return None;
@@ -139,6 +144,13 @@ fn least(directions: &[Vec<f64>], columns: &[Vec<f64>]) -> Option<f64> {
         let other = along(&directions[column], &columns[row]);
         0.5 * (along(&directions[row], &columns[column]) + other)
     };
-    let matrix = DMatrix::from_fn(count, count, entry);
-    matrix.symmetric_eigenvalues().iter().copied().reduce(f64::min)
+    let factors = DMatrix::from_fn(count, count, entry).symmetric_eigen();
+    let (place, curvature) = factors.eigenvalues.argmin();
+    let mut sum = vec![0.0; directions[0].len()];
+    for (direction, part) in directions.iter().zip(factors.eigenvectors.column(place).iter()) {
+        for (sum, entry) in sum.iter_mut().zip(direction) {
+            *sum += part * entry;
+        }
+    }
+    Some((curvature, sum))
 }

@@ -172,9 +172,8 @@ impl Way<'_> {
             stand.region = (2.0 * region).min(FARTHEST);
         }
         let is_taken = share >= BELIEVED;
-        if !is_taken && promised <= TRUSTED * size && (region >= WIDE || length < 0.5 * region) {
-            return Some(End::Settled);
-        }
+        let is_rounding = share < SHARES.0 && promised <= TRUSTED * size;
+        let is_settled = is_rounding && (region >= WIDE || length < 0.5 * region);
         stand.failed += 1;
         if let Some(there) = tried.filter(|_| is_taken) {
             // What is heavier than it needs to be makes steps along bent conditions short.
@@ -184,7 +183,7 @@ impl Way<'_> {
             }
             stand.go(&step, there);
         }
-        None
+        is_settled.then_some(End::Settled)
     }
 
     /// A step, and what is expected of it. Where it is known how the neighbourhood is bent, the best of its quadratics.

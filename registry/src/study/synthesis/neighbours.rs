@@ -8,7 +8,7 @@ use assur_solvers::synthesis::{Local, Look, Sought};
 
 /// Conditions are kept by so much more than they have to be, over what they change by within the ranges: what a measure says of
 /// them is not exact either.
-const INWARD: f64 = 1e-9;
+pub(super) const INWARD: f64 = 1e-9;
 /// Part of its range by which a value is varied to see how a motion changes.
 const BESIDE: f64 = 1e-4;
 

@@ -3,12 +3,12 @@
 //! The measures of a linkage are given by their facets ([`Facets`]), so that all places of an extreme that may count are known with
 //! their slopes; those of a motion are compared with those of neighbours.
 
-use super::neighbours::Neighbours;
+use super::neighbours::{INWARD, Neighbours};
 use super::{Candidate, Design};
 use crate::study::each;
 use assur_solvers::closure::Facet;
 use assur_solvers::measure::Sense;
-use assur_solvers::synthesis::{Aim, End, certify, polish};
+use assur_solvers::synthesis::{Aim, Certificate, End, Local, Polished, certify, polish};
 
 /// What a polished design may lose by that, over its value.
 const LOSS: f64 = 1e-6;
@@ -16,6 +16,12 @@ const LOSS: f64 = 1e-6;
 const BESIDE_PLACES: f64 = 0.02;
 /// Looks at most.
 const LOOKS: u64 = 1000;
+/// Saddles that are left at most.
+const SADDLES: usize = 8;
+/// Part of the ranges by which it is gone beyond one.
+const FARTHER: f64 = 0.01;
+/// A gain that counts, over the value.
+const GAIN: f64 = 1e-9;
 
 /// How a design was polished, and what holds it.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,7 +116,7 @@ impl Design<'_> {
     fn polished(&self, from: &[f64], is_stopped: &dyn Fn() -> bool) -> Option<(Polish, Vec<f64>)> {
         let (mut neighbours, from) = Neighbours::of(self, from, is_stopped)?;
         let polished = polish(&mut neighbours, Aim::Largest, &from, LOOKS).ok()?;
-        let certificate = certify(&mut neighbours, Aim::Largest, &polished)?;
+        let (polished, certificate) = beyond_saddles(&mut neighbours, polished)?;
         let all = neighbours.facets_of(&polished.design)?;
         let (first, others) = all.split_first()?;
         let held = |index: usize, multiplier: f64| Held {
@@ -163,6 +169,41 @@ impl Design<'_> {
         let first = (self.synthesis.objective, Sense::Smallest);
         std::iter::once(first).chain(margins.map(|one| (*one, Sense::Largest))).collect()
     }
+}
+
+/// Goes on from where a design is level, but something better lies farther on in some direction.
+fn beyond_saddles(
+    neighbours: &mut Neighbours<'_>,
+    mut best: Polished,
+) -> Option<(Polished, Certificate)> {
+    let mut certificate = certify(neighbours, Aim::Largest, &best)?;
+    for _ in 0..SADDLES {
+        if best.end != End::Settled || !certificate.curvature.is_some_and(|one| one < 0.0) {
+            break;
+        }
+        let mut looks = best.looks;
+        let mut found: Option<Polished> = None;
+        for sign in [-1.0, 1.0] {
+            let sought = neighbours.sought().iter().zip(&best.design).zip(&certificate.direction);
+            let beside = sought.map(|((one, number), part)| {
+                one.within(number + sign * FARTHER * part * one.width(), *number)
+            });
+            let beside: Vec<f64> = beside.collect();
+            let Ok(other) = polish(neighbours, Aim::Largest, &beside, LOOKS) else { continue };
+            looks += other.looks;
+            let before = found.as_ref().unwrap_or(&best);
+            let gain = before.value - other.value;
+            if other.missed <= before.missed + INWARD && gain > GAIN * before.value.abs() {
+                found = Some(other);
+            }
+        }
+        match found {
+            Some(other) => best = Polished { looks, ..other },
+            None => break,
+        }
+        certificate = certify(neighbours, Aim::Largest, &best)?;
+    }
+    Some((best, certificate))
 }
 
 /// Which facet is the top of the hill that another lies on: of a part of the way in which a quantity only rises, its end stands for

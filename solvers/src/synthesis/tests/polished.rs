@@ -179,6 +179,7 @@ fn a_saddle_is_told() {
     let (found, held) = certified(sought, Aim::Largest, &[0.5, 0.0], look);
     assert!(found.design.iter().all(|one| one.abs() < 1e-6), "{found:?}");
     assert!((held.curvature.expect("both directions are free") + 8.0).abs() < 1e-3, "{held:?}");
+    assert!(held.direction[0].abs() < 1e-6 && (held.direction[1].abs() - 1.0).abs() < 1e-6);
 }
 
 /// Slopes that are not those of the values are no reason to go on for ever, nor to say that this is the best.
