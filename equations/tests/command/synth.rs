@@ -197,3 +197,46 @@ fn wrong_requests_are_refused() {
         check_refused(&[&["synth"], arguments].concat(), words, &folder);
     }
 }
+
+/// More searches follow while there is time; that is no interruption, and what they come to is kept.
+#[test]
+fn a_search_goes_on_for_a_time() {
+    let folder = with_file("synth_more");
+    let effort = ["--evaluations", "300", "--searches", "1", "--more", "2s"];
+    let found = sought(&[&effort[..], &["--resume", "more.search"]].concat(), &folder);
+    let judged = found["evaluations"].as_u64().expect("a number");
+    assert!(judged > 600 && found["whole"] == true, "{judged}");
+    // It goes on from there.
+    let again = sought(&[&effort[..], &["--resume", "more.search"]].concat(), &folder);
+    assert!(again["evaluations"].as_u64().is_some_and(|more| more > judged + 300), "{again}");
+    let (first, second) = (&found["designs"][0], &again["designs"][0]);
+    assert!(value(&second["measures"], 0) <= value(&first["measures"], 0) + 1e-9);
+    let all = ["synth", "swinger.eqn", "--more", "2kg"];
+    check_refused(&all, &["wrong unit", "--more"], &folder);
+}
+
+/// What is made small errs by the tolerances: to first order, `|cos mu|` where it is worst and the root of the sum of the squares.
+#[test]
+fn designs_are_ranked_as_they_are_made() {
+    let folder = with_file("synth_robust");
+    let effort = ["--evaluations", "2000", "--searches", "2", "--robust"];
+    check_refused(
+        &[&["synth", "swinger.eqn"], &effort[..]].concat(),
+        &["has a tolerance", "+- 0.02 mm"],
+        &folder,
+    );
+    let made = |half: &str| {
+        let text = SWINGER.replace("a = 100 mm in", &format!("a = 100 mm +- {half} mm in"));
+        std::fs::write(folder.join("swinger.eqn"), text).expect("the folder is writable");
+        let found = sought(&effort, &folder);
+        let best = &found["designs"][0];
+        let own = best["made"].as_f64().expect("it has tolerances");
+        let [l1, l2, a] = [0, 1, 2].map(|index| value(&best["values"], index));
+        // At both ends of the line of crank and frame, by a: cos mu = (l2² + l3² - (a ± l1)²)/(2 l2 l3).
+        let slopes = [l1, -l1].map(|crank| ((a + crank) / (l2 * 50.0)).abs());
+        (own - value(&best["measures"], 0), slopes[0].max(slopes[1]))
+    };
+    let ((once, slope), (twice, _)) = (made("0.05"), made("0.1"));
+    assert!((twice - 2.0 * once).abs() < 1e-6 * once, "{once} {twice}");
+    assert!((once - 0.05 * slope).abs() < 0.02 * once, "{once} {slope}");
+}
