@@ -247,7 +247,8 @@ fn flat(motion: &Motion, subject: Subject, end: &End) -> f64 {
     let (from, to) = motion.task().limits();
     let differs = |time: f64| {
         let there = motion.values(&[subject], time.clamp(from, to))[0];
-        !((there - end.value).abs() <= 2.0 * end.error)
+        let apart = (there - end.value).abs();
+        apart.is_nan() || apart > 2.0 * end.error
     };
     let mut far = ROUNDINGS * end.time.abs().max(to - from);
     while far < to - from && !(differs(end.time - far) && differs(end.time + far)) {
