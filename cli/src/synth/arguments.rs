@@ -28,7 +28,7 @@ as a preset that can be put into the equation file. An interrupt (Ctrl-C) ends t
 it goes on later, and finds what it would have found without a stop.
 
 Start values pick the assembly mode of every design: where they follow from the dimensions, `dependent psi ~ eta + mode*90 deg`,
-all designs have the mode that is meant, and `vary mode in {-1, 1};` seeks in both. What had better be kept, but need not, is a
+all designs that close in the mode that is meant have it, and `vary mode in {-1, 1};` seeks in both. What had better be kept, but need not, is a
 `prefer peak(mu) < 50 deg weight 0.2;`: `max(…, 0)` of what is to be small has a corner at which polishing stops.
 
 Many short searches find more than few long ones, since what they find is polished: some hundred designs each are enough.

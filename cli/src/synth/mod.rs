@@ -91,6 +91,9 @@ impl Found {
         let design = Design::of(scene, &constants.values, &settings);
         let design = design.ok_or_else(|| Failure::request("the scene seeks nothing"))?;
         refuse_given(&constants, design.synthesis())?;
+        if options.robust {
+            refuse_exact(&constants)?;
+        }
         let stoppable = Stoppable::begin();
         let (found, evaluations) =
             search::run(options, &constants, (&design, &settings), &stoppable)?;
@@ -106,7 +109,7 @@ impl Found {
         });
         let mut designs: Vec<_> = designs.collect();
         if options.robust {
-            robust_first(&mut designs)?;
+            robust_first(&mut designs);
         }
         let best = designs.first().map(|best| design.values(&best.candidate.design));
         let found = Self {
@@ -164,20 +167,35 @@ impl Found {
 }
 
 /// Puts designs that keep all conditions first, and of these those that are best where they are made within tolerances.
-fn robust_first(designs: &mut [Proposal]) -> Result<(), Failure> {
-    if designs.iter().all(|one| one.made.is_none()) {
-        return Err(Failure::request("nothing that the design is made of has a tolerance")
-            .place("--robust")
-            .remedy(
-                "give dimensions a tolerance: `dimension l1 = 20 mm +- 0.02 mm in 5 mm .. 60 mm;`",
-            ));
-    }
+fn robust_first(designs: &mut [Proposal]) {
     designs.sort_by(|a, b| {
         let of =
             |one: &Proposal| (!one.candidate.score.is_kept(), one.made.unwrap_or(f64::INFINITY));
         let (a, b) = (of(a), of(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
+}
+
+/// What is made exactly, and a motion, cannot be ranked by what tolerances make of it.
+fn refuse_exact(constants: &Constants) -> Result<(), Failure> {
+    let scene = constants.scene;
+    let refused = |what: &str, remedy: &str| {
+        Err(Failure::request(what.to_owned()).place("--robust").remedy(remedy.to_owned()))
+    };
+    if scene.linkage.is_none() {
+        let what = "what tolerances make of a design is known of linkages alone, and this scene moves by itself";
+        return refused(
+            what,
+            "leave --robust out; `assur study --sensitivity` says what changes the best design how much",
+        );
+    }
+    if scene.constants.iter().all(|constant| constant.tolerance <= 0.0) {
+        let what = "nothing that the design is made of has a tolerance";
+        return refused(
+            what,
+            "give dimensions a tolerance: `dimension l1 = 20 mm +- 0.02 mm in 5 mm .. 60 mm;`",
+        );
+    }
     Ok(())
 }
 

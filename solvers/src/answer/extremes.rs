@@ -209,7 +209,7 @@ fn widen(
         times.fold((end.time, end.time), |(from, to), time| (from.min(time), to.max(time)));
     end.error = own;
     end.time = tops.into_iter().fold(end.time, f64::min);
-    end.reach = end.blur.max(to - end.time).max(end.time - from);
+    end.reach = end.reach.max(end.blur).max(to - end.time).max(end.time - from);
 }
 
 /// By how much some subjects scatter within roundings of a time, as they do where roundings of the state are amplified: all
