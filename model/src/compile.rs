@@ -277,7 +277,9 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     let stretch = checks::stretch(low, &mode.asked.span, &chosen.values);
     let mut model = report::scene(&mode, scene, documentation, low);
     let mut request = request::of(&mode, low);
-    (model.carried, model.may_stop) = request::loops(&mode, &chosen.values, &mut request, low)?;
+    let carried = request::loops(&mode, &chosen.values, &mut request, low)?;
+    (model.carried, model.may_stop) = (carried.loops, carried.may_stop);
+    model.requirements.extend(carried.modes);
     if !mode.declared.is_linkage() && !low.names.dependents.is_empty() {
         model.reduced = Some(request::reduced(&mode, low));
     }

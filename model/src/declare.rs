@@ -90,10 +90,12 @@ impl Lowering<'_> {
         Some((number, kind))
     }
 
-    /// Where something starts that closures determine: by the constants, and by where the drivers start.
+    /// Where something starts that closures determine: by the constants, and by where drivers and coordinates start.
     pub fn start(&mut self, term: &Term) -> Option<(Expression, Kind)> {
-        let is_given = |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Driver(_));
-        let what = "a start value is expected here, made of numbers, constants and drivers alone";
+        let is_given = |symbol| {
+            matches!(symbol, Symbol::Parameter(_) | Symbol::Driver(_) | Symbol::Coordinate(_))
+        };
+        let what = "a start value is expected here, made of numbers, constants, drivers and coordinates alone";
         let hint = "it says how the links are put together before anything moves";
         self.made_of(term, is_given, (what, hint))
     }

@@ -1,8 +1,9 @@
 //! What the program of a mode is asked for.
 
 use super::Mode;
-use crate::checked::{AugmentedInfo, LinkageInfo, LoopInfo, SpanKind};
+use crate::checked::{AugmentedInfo, LinkageInfo, SpanKind};
 use crate::expression::{Expression, Symbol};
+use crate::linkage::Carried;
 use crate::lower::{Lowering, Moved};
 use crate::program::{self, Input, Request, Results};
 
@@ -138,7 +139,7 @@ pub fn loops(
     values: &[f64],
     request: &mut Request,
     low: &mut Lowering<'_>,
-) -> Option<(Vec<LoopInfo>, bool)> {
+) -> Option<Carried> {
     let (declared, linkage) = (&mode.declared, &mode.linkage);
     let drives = &declared.drives;
     if declared.is_linkage() {
@@ -146,7 +147,7 @@ pub fn loops(
         request.results.closing = linkage.closing(low, request, &mode.asked.geometry, drives);
         let drivers = (&mode.asked.ranges, &drives[..]);
         request.results.start = linkage.starts(low, drivers, &request.results.span);
-        return Some((Vec::new(), false));
+        return Some(Carried::default());
     }
     for (index, drive) in drives.iter().enumerate() {
         let position = drive.position;
@@ -155,7 +156,7 @@ pub fn loops(
     }
     if mode.augmented.is_some() {
         request.results.closing = linkage.closures(low);
-        return Some((Vec::new(), false));
+        return Some(Carried::default());
     }
     let starts = low.graph.evaluate(&mode.asked.start, &|symbol| match symbol {
         Symbol::Parameter(index) => values[index as usize],

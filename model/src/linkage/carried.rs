@@ -1,33 +1,45 @@
 //! A linkage that is carried along by a motion: its drivers move in time, and what it does acts on coordinates that move by
 //! themselves. Its dependent coordinates are then functions of the time, put in as closed forms.
 
+use super::assembly::{Begin, starts};
 use super::forms::Forms;
-use super::{Closed, Group, Linkage, Places, Slot};
-use crate::checked::LoopInfo;
+use super::{Group, Linkage, Places, Slot};
+use crate::checked::{LoopInfo, RequirementInfo};
 use crate::declare::Drive;
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Expression, Graph, Map, Symbol};
+use crate::expression::{Expression, Map, Symbol};
 use crate::lower::Lowering;
 use crate::program::Request;
 use std::f64::consts::TAU;
 
+/// What a motion carries along.
+#[derive(Default)]
+pub struct Carried {
+    /// The groups that may fail to close.
+    pub loops: Vec<LoopInfo>,
+    /// Whether the motion may come to a dead point of one.
+    pub may_stop: bool,
+    /// That other values of the constants pick the same assembly modes.
+    pub modes: Vec<RequirementInfo>,
+}
+
 impl Linkage {
     /// Binds the dependent coordinates to their closed forms, on the assembly modes that the declared start values pick
-    /// with these values of the constants. Asks for the margins of the groups that may fail to close, and names these; says
-    /// whether the motion may come to a dead point of one.
+    /// with these values of the constants. Asks for the margins of the groups that may fail to close.
     pub fn carry(
         &self,
         low: &mut Lowering<'_>,
         (drives, starts_of_state): (&[Drive], &[f64]),
         constants: &[f64],
         request: &mut Request,
-    ) -> Option<(Vec<LoopInfo>, bool)> {
+    ) -> Option<Carried> {
+        let mut carried = Carried::default();
         if self.groups.is_empty() {
-            return Some((Vec::new(), false));
+            return Some(carried);
         }
         let mut given = Places::of_state(low, drives, (constants, starts_of_state))?;
-        let mut forms = Forms::default();
-        let (mut carried, mut signs) = (Vec::new(), Vec::new());
+        let (mut forms, mut signs) = (Forms::default(), Vec::new());
+        let mut begin = Begin::default();
         for (number, group) in self.groups.iter().enumerate() {
             let Some(closed) = &group.closed else {
                 self.report(low, group, |name| {
@@ -35,7 +47,9 @@ impl Linkage {
                 }, "state the linkage by links of two, or run it in a scene of its own");
                 return None;
             };
-            let starts = starts(low, &given, group)?;
+            let declared = starts(low, group)?;
+            let value = |start: &(usize, Expression)| (start.0, given.evaluate(low, start.1));
+            let starts: Vec<_> = declared.iter().map(value).collect();
             let mode = Symbol::Mode(number as u32);
             let Some((sign, values)) = self.assembly(&low.graph, closed, &given, mode, &starts)
             else {
@@ -48,14 +62,24 @@ impl Linkage {
                 return None;
             };
             signs.push(sign);
+            let turns = |slot: Slot| closed.values.iter().any(|one| one.0 == slot);
             for (index, value) in values {
-                let turns = starts.iter().find(|one| one.0 == index && self.angles[index]);
-                let turns = turns.map_or(0.0, |(_, start)| ((start - value) / TAU).round());
-                given.dependents[index] = value + turns * TAU;
+                let start = starts.iter().find(|one| one.0 == index).map_or(value, |one| one.1);
+                let whole = if self.angles[index] { ((start - value) / TAU).round() } else { 0.0 };
+                given.dependents[index] = value + whole * TAU;
+                forms.starts.extend(turns(Slot::Cosine(index)).then_some((index, start)));
+            }
+            if let Some((condition, names)) =
+                begin.stays(low, (self, closed, &given), (mode, sign), &declared)
+            {
+                request.results.requirements.push(condition);
+                carried.modes.push(RequirementInfo {
+                    text: "the assembly mode that the values of the file pick, which a scene with coordinates keeps".into(),
+                    message: self.names(group),
+                    names,
+                });
             }
             let chosen = Map::from_iter([(mode, low.graph.number(sign))]);
-            let turns = |slot: Slot| closed.values.iter().any(|one| one.0 == slot);
-            forms.starts.extend(starts.iter().filter(|one| turns(Slot::Cosine(one.0))).copied());
             for (slot, value) in &closed.values {
                 forms.values.push((*slot, low.graph.substitute(&[*value], &chosen)[0]));
             }
@@ -70,19 +94,19 @@ impl Linkage {
             }
             if low.graph.as_number(closed.margin).is_none() {
                 request.results.margins.push(closed.margin);
-                carried.push(self.carried_info(group));
+                carried.loops.push(self.carried_info(group));
             }
         }
         given.check_starts(low)?;
         let turning = self.turn(low, &given, &signs);
         let crank = turning.as_ref().map(|(crank, _)| *crank);
-        let may_stop = !carried.is_empty() && self.may_stop(low, crank);
+        carried.may_stop = !carried.loops.is_empty() && self.may_stop(low, crank);
         if let Some((crank, turns)) = turning {
             forms.crank = Some((crank, given.of(crank)));
             forms.turns = turns;
         }
         forms.put_in(low, request);
-        Some((carried, may_stop))
+        Some(carried)
     }
 
     /// Reports a group at the first of its equations.
@@ -98,27 +122,6 @@ impl Linkage {
         low.diagnostics.push(report.hint(hint));
     }
 
-    /// The assembly mode of a group that comes closest to the declared start values, and its values, if it assembles.
-    fn assembly(
-        &self,
-        graph: &Graph,
-        closed: &Closed,
-        given: &Places,
-        mode: Symbol,
-        starts: &[(usize, f64)],
-    ) -> Option<(f64, Vec<(usize, f64)>)> {
-        let tried = [1.0, -1.0].map(|sign| {
-            let values = solved(graph, closed, given, (mode, sign));
-            (self.distance(&values, starts), sign, values)
-        });
-        let [first, second] = tried;
-        let (distance, sign, values) = match second.0 < first.0 {
-            true => second,
-            false => first,
-        };
-        distance.is_finite().then_some((sign, values))
-    }
-
     /// What a group says of itself: the names of all its equations.
     fn carried_info(&self, group: &Group) -> LoopInfo {
         LoopInfo { name: self.names(group), ..self.loop_info(group.equations[0]) }
@@ -130,72 +133,4 @@ impl Linkage {
         let names: Vec<&str> = names.map(|index| self.equations[*index].name.as_str()).collect();
         names.join(", ")
     }
-
-    /// How far values are from the declared ones; angles are the same after a turn.
-    fn distance(&self, values: &[(usize, f64)], starts: &[(usize, f64)]) -> f64 {
-        let difference = |(index, start): &(usize, f64)| {
-            let value = values.iter().find(|one| one.0 == *index);
-            let difference = value.map_or(f64::NAN, |one| one.1 - start);
-            match self.angles[*index] {
-                true => 2.0 * (difference / 2.0).sin(),
-                false => difference,
-            }
-        };
-        let squares: f64 = starts.iter().map(|one| difference(one).powi(2)).sum();
-        match squares.is_nan() {
-            true => f64::INFINITY,
-            false => squares,
-        }
-    }
-}
-
-/// Where the dependent coordinates of a group are declared to start.
-fn starts(low: &mut Lowering<'_>, given: &Places, group: &Group) -> Option<Vec<(usize, f64)>> {
-    let names = low.names;
-    let mut starts = Vec::new();
-    for index in &group.unknowns {
-        let declared = &names.dependents[*index];
-        let Some(term) = &declared.what.start else {
-            let message = format!("nothing says where `{}` starts", declared.name.text);
-            let hint = match names.bound.contains_key(index) {
-                true => {
-                    "closures determine it, and its start value says how the links are put together"
-                }
-                false => "write roughly where: `dependent psi ~ 30 deg;`",
-            };
-            low.diagnostics.push(Diagnostic::error(declared.name.span, message).hint(hint));
-            return None;
-        };
-        let start = match names.bound.contains_key(index) {
-            true => {
-                let (value, _) = low.scalar(term)?;
-                given.evaluate(low, value)
-            }
-            false => low.fixed(term)?.0,
-        };
-        starts.push((*index, start));
-    }
-    Some(starts)
-}
-
-/// The dependent coordinates that a group closes, on one assembly mode.
-pub(super) fn solved(
-    graph: &Graph,
-    closed: &Closed,
-    given: &Places,
-    (mode, sign): (Symbol, f64),
-) -> Vec<(usize, f64)> {
-    let of = |symbol: Symbol| match symbol == mode {
-        true => sign,
-        false => given.of(symbol),
-    };
-    let values: Vec<Expression> = closed.values.iter().map(|one| one.1).collect();
-    let numbers = graph.evaluate(&values, &of);
-    let pairs = closed.values.iter().zip(numbers);
-    pairs
-        .filter_map(|((slot, _), number)| match slot {
-            Slot::Value(index) => Some((*index, number)),
-            _ => None,
-        })
-        .collect()
 }

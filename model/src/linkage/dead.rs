@@ -5,7 +5,7 @@
 //! with numbers that look well. So it is an event that the sine of a group falls below a limit, above which speeds are still
 //! known to ten digits and more.
 
-use super::carried::solved;
+use super::assembly::solved;
 use super::{Group, Linkage, Places, angles};
 use crate::checked::EventInfo;
 use crate::expression::{Expression, Map, Symbol};

@@ -6,6 +6,7 @@
 //! whichever way the loops are closed.
 
 mod angles;
+mod assembly;
 mod augmented;
 mod carried;
 mod dead;
@@ -24,6 +25,7 @@ mod results;
 
 pub use angles::{expand, period};
 pub use augmented::{Augmented, named};
+pub use carried::Carried;
 pub use follow::follow;
 pub use geometry::{Geometry, Ranges};
 pub use group::Group;

@@ -121,3 +121,34 @@ fn relative_angles_are_closed_like_directions() {
     check_independent(&chain("b + c", "-0.3"), &["a"], 1);
     check_independent(&chain("c - b", "0.3"), &["a"], 1);
 }
+
+/// Start values that follow from constants pick the assembly mode by the values of the file, which a motion then keeps: others
+/// that pick another one are refused.
+#[test]
+fn start_values_of_what_is_carried_follow_from_constants() {
+    let scene = first_scene(
+        "Rocker; dimension a = 25 mm, b = 90 mm, c = 60 mm, d = 100 mm; parameter mode = -1, J = 1 [kg m^2];
+        coordinate phi: rad = 0.5, rate = 2 [rad/s]; kinetic J*dot(phi)^2/2 + J*dot(psi)^2/2;
+        let e = [d, 0] - a*dir(phi), gamma_0 = atan2(e.y, e.x) + mode*acos((b^2 + norm(e)^2 - c^2)/(2*b*norm(e)));
+        dependent gamma ~ gamma_0, psi: rad;
+        closure loop: a*dir(phi) + b*dir(gamma) = [d, 0] + c*dir(psi); output psi, gamma, gamma_0;
+        scene go { run time 0 s .. 1 s; }",
+    );
+    let place = scene.constants.iter().position(|one| one.quantity.name == "mode");
+    let mode = place.expect("the constant is there");
+    assert_eq!(scene.requirements.len(), 1);
+    assert_eq!(scene.requirements[0].names, [mode]);
+    assert_eq!(scene.requirements[0].message, "loop.x, loop.y");
+    let held = |sign: f64| {
+        let mut parameters: Vec<f64> = scene.constants.iter().map(|one| one.default).collect();
+        parameters[mode] = sign;
+        let found = scene.program.evaluate(&parameters, 0.0, &[0.5, 2.0]);
+        (
+            found.all(&scene.program.results.requirements)[0],
+            found.all(&scene.program.results.outputs),
+        )
+    };
+    let ((kept, outputs), (other, _)) = (held(-1.0), held(1.0));
+    assert!(kept != 0.0 && other == 0.0, "{kept} {other}");
+    assert!((outputs[1] - outputs[2]).abs() < 1e-14, "{outputs:?}");
+}
