@@ -84,6 +84,26 @@ pub fn find(
         .collect()
 }
 
+/// The times between which a quantity, by its index, is positive along a run.
+pub fn stretches(
+    motion: &Motion,
+    quantity: usize,
+    count: usize,
+    sample: &Probe<'_>,
+) -> Vec<(f64, f64)> {
+    let mut sampler = Sampler::new(motion, count, sample);
+    let mut all: Vec<(f64, f64)> = Vec::new();
+    sampler.walk(ALWAYS, &mut |grid, sampler| {
+        for (from, to) in window::windows(Some(quantity), grid, sampler) {
+            match all.last_mut().filter(|last| last.1 == from) {
+                Some(last) => last.1 = to,
+                None => all.push((from, to)),
+            }
+        }
+    });
+    all
+}
+
 /// A vibration about a position of rest.
 fn vibration(motion: &Motion, number: u32) -> Result<&Vibration, Missing> {
     let rest = motion.rest.as_ref().ok_or(Missing::Moves)?;

@@ -25,7 +25,8 @@ impl Design<'_> {
             return None;
         }
         let wanted = [(self.synthesis.objective, Sense::Smallest)];
-        let found = linkage.facets(linkage.way()?, places, &wanted).of(&*linkage).ok()?;
+        let facets = linkage.facets(linkage.way()?, places, &wanted).ok()?;
+        let found = facets.of(&*linkage).ok()?;
         let worst = |facet: &Facet| {
             let squares = facet.slopes.iter().zip(&half_widths).map(|(slope, half)| slope * half);
             facet.value + squares.map(|one| one * one).sum::<f64>().sqrt()

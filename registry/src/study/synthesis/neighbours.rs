@@ -92,11 +92,14 @@ impl<'a> Neighbours<'a> {
     fn of_linkage(&mut self, linkage: &dyn AnyLinkage) -> Option<Vec<Vec<Facet>>> {
         let way = linkage.way()?;
         let design = self.design;
-        let facets = self.facets.get_or_insert_with(|| {
-            let varied = self.moved.iter().map(|index| &design.synthesis.varied[*index]);
-            let constants = varied.map(|one| (one.constant, one.to - one.from)).collect();
-            linkage.facets(way, constants, &design.wanted())
-        });
+        let facets = match &mut self.facets {
+            Some(facets) => facets,
+            none => {
+                let varied = self.moved.iter().map(|index| &design.synthesis.varied[*index]);
+                let constants = varied.map(|one| (one.constant, one.to - one.from)).collect();
+                none.insert(linkage.facets(way, constants, &design.wanted()).ok()?)
+            }
+        };
         facets.of(linkage).ok()
     }
 

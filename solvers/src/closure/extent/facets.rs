@@ -4,26 +4,22 @@
 //! other places before long: those that are nearly as far out. It is therefore given by facets, one for each place at which
 //! an extreme may come to lie, as if it lay there; the largest of them is the measure.
 //!
-//! Quantities at a place change with constants as the loops do that are kept closed, see [`keep_closed`]. What else is found of a
-//! way, integrals and such, is compared with that of linkages nearby.
+//! Quantities at a place change with constants as the loops do that are kept closed. What else is found of a way, integrals and
+//! such, is compared with that of linkages nearby; so is an extreme where a condition holds, unless that holds at the same places
+//! whatever the constants are.
 
-use std::collections::HashMap;
+use assur_functions::Sense;
 
-use assur_functions::{Sense, top};
-
+use super::course::{Course, Stretches};
 use super::track::Along;
 use super::walk::Walk;
 use crate::closure::error::ClosureError;
 use crate::closure::linkage::any::AnyLinkage;
-use crate::closure::linkage::derivative::{duals, keep_closed};
-use crate::closure::linkage::loops::{Answers, instant_at};
+use crate::closure::linkage::derivative::duals;
+use crate::closure::linkage::loops::Answers;
 use crate::scalar::{Dual, Scalar};
-use crate::shape::{Kind, Primitive};
+use crate::shape::{Kind, Shape};
 
-/// Parts of a way, in each of which an extreme may lie.
-const PARTS: usize = 128;
-/// Hills that are lower than the highest by more than this part of all that a quantity goes through are not climbed.
-const FAR: f64 = 0.5;
 /// Parts in which a way is looked through for what is no extreme.
 const FEW: usize = 16;
 /// Part of its range by which a constant is varied for a difference.
@@ -47,6 +43,8 @@ pub struct Facets {
     /// The constants with the widths of their ranges.
     constants: Vec<(usize, f64)>,
     measures: Vec<usize>,
+    /// Of each primitive where extremes are looked for; none where that changes with the constants.
+    stretches: Vec<Option<Stretches>>,
     /// Of each measure the extremes that it is given by, place by place.
     spread: Vec<Vec<usize>>,
 }
@@ -73,22 +71,63 @@ struct Place {
 impl Facets {
     /// Of measures, each with the sense in which it is good, along a way of a linkage. The constants stand with the widths of
     /// their ranges. Linkages that are asked about later have as many facets.
+    ///
+    /// # Errors
+    /// Why the linkage does not get through its way.
     pub fn new(
         linkage: &dyn AnyLinkage,
         along: Along,
         constants: Vec<(usize, f64)>,
         measures: &[(usize, Sense)],
-    ) -> Self {
+    ) -> Result<Self, ClosureError> {
         let mut facets = Self {
             along,
             constants,
             measures: measures.iter().map(|one| one.0).collect(),
+            stretches: Vec::new(),
             spread: Vec::new(),
         };
+        let primitives = linkage.shape().primitives.iter();
+        let stretches = primitives.map(|primitive| facets.stretches(linkage, primitive.window));
+        facets.stretches = stretches.collect::<Result<_, _>>()?;
         let spread =
             measures.iter().map(|(measure, sense)| facets.spread(linkage, *measure, *sense));
         facets.spread = spread.collect();
-        facets
+        Ok(facets)
+    }
+
+    /// Where a condition holds, if it does so whatever the constants are; without one everywhere.
+    fn stretches(
+        &self,
+        linkage: &dyn AnyLinkage,
+        window: Option<usize>,
+    ) -> Result<Option<Stretches>, ClosureError> {
+        let Some(window) = window else {
+            return Ok(Some(Stretches::everywhere(self.along.bounds())));
+        };
+        if matches!(self.along, Along::Time(..)) {
+            return Ok(None);
+        }
+        let loops = self.loops(linkage);
+        let mut course = Course::new(linkage, self.along)?;
+        let (from, to) = self.along.bounds();
+        for part in 0..=FEW {
+            let (_, slopes) = course.at(from + (to - from) * (part as f64 / FEW as f64), &loops)?;
+            if slopes.iter().any(|all| all[window] != 0.0) {
+                return Ok(None);
+            }
+        }
+        let holds = Walk::new(linkage, self.along)?.stretches(FEW, window)?;
+        Ok((!holds.is_empty()).then(|| Stretches::of(&holds, self.along.bounds())))
+    }
+
+    /// The loops for each constant.
+    fn loops(&self, linkage: &dyn AnyLinkage) -> Vec<Box<dyn Answers<Dual>>> {
+        let values = linkage.values();
+        let constants = self.constants.iter();
+        constants
+            .map(|(constant, _)| linkage.differentiate(&duals(&values, Some(*constant))))
+            .collect()
     }
 
     /// The facets of all measures.
@@ -125,7 +164,7 @@ impl Facets {
         };
         let uses = shape.uses[measure].iter().copied();
         let bad = uses.filter(|primitive| {
-            let Some(sense) = self.extreme(&shape.primitives[*primitive]) else {
+            let Some(sense) = self.extreme(&shape, *primitive) else {
                 return false;
             };
             let rises = rises(*primitive) * if good == Sense::Smallest { 1.0 } else { -1.0 };
@@ -139,9 +178,11 @@ impl Facets {
 
     /// Which extreme a primitive is whose places stay what they are when constants change: those of a driver, not those of
     /// the time, at which drivers may then be elsewhere.
-    fn extreme(&self, primitive: &Primitive) -> Option<Sense> {
-        match primitive.kind {
-            _ if primitive.window.is_some() || matches!(self.along, Along::Time(..)) => None,
+    fn extreme(&self, shape: &Shape, primitive: usize) -> Option<Sense> {
+        if self.stretches[primitive].is_none() || matches!(self.along, Along::Time(..)) {
+            return None;
+        }
+        match shape.primitives[primitive].kind {
             Kind::Peak => Some(Sense::Largest),
             Kind::Lowest => Some(Sense::Smallest),
             _ => None,
@@ -149,23 +190,19 @@ impl Facets {
     }
 
     fn look(&self, linkage: &dyn AnyLinkage) -> Result<Known, ClosureError> {
-        let (shape, values) = (linkage.shape(), linkage.values());
+        let shape = linkage.shape();
         let count = shape.primitives.len();
         let mut known = Known {
             found: vec![f64::NAN; count],
             slopes: vec![vec![f64::NAN; self.constants.len()]; count],
             places: (0..count).map(|_| Vec::new()).collect(),
-            loops: self
-                .constants
-                .iter()
-                .map(|(constant, _)| linkage.differentiate(&duals(&values, Some(*constant))))
-                .collect(),
+            loops: self.loops(linkage),
         };
         let used: Vec<usize> = (0..count)
             .filter(|index| self.measures.iter().any(|one| shape.uses[*one].contains(index)))
             .collect();
         let (extremes, others): (Vec<usize>, Vec<usize>) =
-            used.iter().partition(|index| self.extreme(&shape.primitives[**index]).is_some());
+            used.iter().partition(|index| self.extreme(&shape, **index).is_some());
         if !extremes.is_empty() {
             self.look_at_extremes(linkage, &extremes, &mut known)?;
         }
@@ -186,8 +223,12 @@ impl Facets {
         let mut course = Course::new(linkage, self.along)?;
         for index in extremes {
             let primitive = &shape.primitives[*index];
-            let sense = self.extreme(primitive).unwrap_or(Sense::Largest);
-            let tops = course.tops(primitive.argument, sense)?;
+            let Some((sense, stretches)) =
+                self.extreme(&shape, *index).zip(self.stretches[*index].as_ref())
+            else {
+                continue;
+            };
+            let tops = course.tops(primitive.argument, stretches, sense)?;
             let mut places = Vec::with_capacity(tops.len());
             for at in tops {
                 let (values, slopes) = course.at(at, &known.loops)?;
@@ -258,105 +299,5 @@ impl Known {
         });
         let slopes = slopes.collect();
         Facet { at: extreme.map(|(_, place)| place.at), value, slopes }
-    }
-}
-
-/// The quantities at places of the way, and how they change there with each constant.
-type There = (Vec<f64>, Vec<Vec<f64>>);
-
-/// A linkage gone through its way.
-struct Course<'a> {
-    walk: Walk<'a>,
-    /// The ends of its parts.
-    ends: Vec<f64>,
-    /// All quantities there.
-    values: Vec<Vec<f64>>,
-    /// What has been looked at closely, by the bits of the place.
-    known: HashMap<u64, There>,
-}
-
-impl<'a> Course<'a> {
-    fn new(linkage: &'a dyn AnyLinkage, along: Along) -> Result<Self, ClosureError> {
-        let mut walk = Walk::new(linkage, along)?;
-        let (from, to) = along.bounds();
-        let ends: Vec<f64> =
-            (0..=PARTS).map(|k| from + (to - from) * (k as f64 / PARTS as f64)).collect();
-        let mut values = Vec::with_capacity(ends.len());
-        for at in &ends {
-            let mut there = vec![0.0; linkage.shape().measured];
-            walk.look(*at, &mut there)?;
-            values.push(there);
-        }
-        Ok(Self { walk, ends, values, known: HashMap::new() })
-    }
-
-    /// For each part the place where a quantity is furthest out. As constants change, a place that leaves a part by its end stays
-    /// there, and the next part takes it on from there: neither values nor slopes jump, but for slopes in a valley, where the two
-    /// ends of a part take turns.
-    fn tops(&mut self, index: usize, sense: Sense) -> Result<Vec<f64>, ClosureError> {
-        let value = |k: usize| self.values[k][index];
-        let further = |k: usize| if sense.better(value(k + 1), value(k)) { k + 1 } else { k };
-        let mut tops: Vec<f64> = (0..PARTS).map(|k| self.ends[further(k)]).collect();
-        let mut there = vec![0.0; self.values[0].len()];
-        // What is far from the extreme does not come to be it in linkages nearby.
-        let all = (0..=PARTS).map(value);
-        let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(value), high.max(value))
-        });
-        let is_far = |value: f64| match sense {
-            Sense::Largest => high - value > FAR * (high - low),
-            Sense::Smallest => value - low > FAR * (high - low),
-        };
-        for k in 0..=PARTS {
-            let (before, after) = (k.saturating_sub(1), (k + 1).min(PARTS));
-            let value = |k: usize| self.values[k][index];
-            let is_further = |other: usize| sense.better(value(other), value(k));
-            let is_flat = value(before) == value(k) && value(after) == value(k);
-            if is_further(before) || is_further(after) || is_flat || is_far(value(k)) {
-                continue;
-            }
-            let (low, high) = (self.ends[before], self.ends[after]);
-            let mut stopped = None;
-            let mut at = |place: f64| match self.walk.look(place, &mut there) {
-                Ok(()) => there[index],
-                Err(error) => {
-                    stopped.get_or_insert(error);
-                    f64::NAN
-                }
-            };
-            let found = top(sense, (low.min(high), low.max(high)), &mut at).place;
-            if let Some(error) = stopped {
-                return Err(error);
-            }
-            let is_before = (found - self.ends[k]) * (self.ends[after] - self.ends[before]) < 0.0;
-            tops[if is_before { before } else { k.min(PARTS - 1) }] = found;
-        }
-        Ok(tops)
-    }
-
-    /// The quantities at a place, and how they change there.
-    fn at(&mut self, at: f64, loops: &[Box<dyn Answers<Dual>>]) -> Result<There, ClosureError> {
-        if let Some(known) = self.known.get(&at.to_bits()) {
-            return Ok(known.clone());
-        }
-        let mut values = vec![0.0; self.values[0].len()];
-        self.walk.look(at, &mut values)?;
-        let (drivers, stand) = self.walk.stand();
-        let drivers = duals(&drivers, None);
-        let slopes = loops.iter().map(|loops| {
-            let instant = instant_at(&**loops, &drivers, &[]);
-            let mut position = duals(&stand, None);
-            let mut there = vec![Dual::ZERO; values.len()];
-            match keep_closed(&**loops, &instant, &mut position) {
-                Ok(()) => loops.measured(&instant, &position, &mut there),
-                Err(_) => there.fill(Dual::constant(f64::NAN)),
-            }
-            // Where there is no derivative it is not zero.
-            there.iter().map(|one| if one.value.is_nan() { f64::NAN } else { one.slope }).collect()
-        });
-        let slopes = slopes.collect();
-        let there = (values, slopes);
-        self.known.insert(at.to_bits(), there.clone());
-        Ok(there)
     }
 }

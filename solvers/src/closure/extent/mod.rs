@@ -4,11 +4,12 @@
 //! |---|---|
 //! | `limits` | how far a driver can go |
 //! | `walk`, `measures` | numbers of a whole way |
-//! | `facets` | how these change with the constants |
+//! | `facets`, `course` | how these change with the constants |
 //! | `strokes`, `track`, `rates` | limit positions and strokes of outputs and dependent coordinates |
 //! | `extremes`, `breaks`, `noise`, `root` | where a function turns round, jumps, or goes beyond all bounds |
 
 pub(super) mod breaks;
+pub(super) mod course;
 pub(super) mod extremes;
 pub(super) mod facets;
 pub(super) mod limits;

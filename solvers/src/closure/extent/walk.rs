@@ -8,7 +8,7 @@ use crate::closure::linkage::any::AnyLinkage;
 use crate::closure::linkage::loops::{Loops, instant_at};
 use crate::closure::position::guide::Moves;
 use crate::hybrid::Motion;
-use crate::measure::{self, Missing};
+use crate::measure::{self, Missing, Probe};
 use crate::problem::Phase;
 
 /// A linkage that goes its way.
@@ -84,6 +84,38 @@ impl<'a> Walk<'a> {
         let shape = self.linkage.shape();
         let places: Vec<usize> = (0..shape.primitives.len()).filter(|one| wanted(*one)).collect();
         let primitives: Vec<_> = places.iter().map(|place| shape.primitives[*place]).collect();
+        let (found, _) = self.look_through(parts, &|motion, sample| {
+            measure::find(motion, &primitives, shape.measured, sample)
+        })?;
+        let mut all = vec![Err(Missing::NotLookedFor); shape.primitives.len()];
+        for (place, one) in places.into_iter().zip(found) {
+            all[place] = one;
+        }
+        Ok(all)
+    }
+
+    /// The stretches of the way in which a quantity is positive, in the order in which they are gone through.
+    ///
+    /// # Errors
+    /// Why the linkage does not get through it.
+    pub fn stretches(
+        &mut self,
+        parts: usize,
+        quantity: usize,
+    ) -> Result<Vec<(f64, f64)>, ClosureError> {
+        let count = self.linkage.shape().measured;
+        let (found, sign) = self.look_through(parts, &|motion, sample| {
+            measure::stretches(motion, quantity, count, sample)
+        })?;
+        Ok(found.into_iter().map(|(from, to)| (sign * from, sign * to)).collect())
+    }
+
+    /// Looks at the way as at a motion of so many steps; its time is the place of the driver with this sign.
+    fn look_through<T>(
+        &mut self,
+        parts: usize,
+        find: &dyn Fn(&Motion, &Probe<'_>) -> T,
+    ) -> Result<(T, f64), ClosureError> {
         let (from, to) = self.along.bounds();
         // A way that is gone backwards begins where it begins.
         let sign = if from > to { -1.0 } else { 1.0 };
@@ -95,11 +127,7 @@ impl<'a> Walk<'a> {
                 stopped.borrow_mut().get_or_insert(error);
             }
         };
-        let found = measure::find(&motion, &primitives, shape.measured, &sample);
-        let mut all = vec![Err(Missing::NotLookedFor); shape.primitives.len()];
-        for (place, one) in places.into_iter().zip(found) {
-            all[place] = one;
-        }
-        stopped.into_inner().map_or(Ok(all), Err)
+        let found = find(&motion, &sample);
+        stopped.into_inner().map_or(Ok((found, sign)), Err)
     }
 }

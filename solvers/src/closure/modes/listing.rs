@@ -116,12 +116,15 @@ impl dyn AnyLinkage + '_ {
 
     /// How measures along a way change with constants, each with the width of its range: what [`Facets::of`] answers, for
     /// this linkage and for others of its kind. Each measure stands with the sense in which it is good.
+    ///
+    /// # Errors
+    /// Why the linkage does not get through its way.
     pub fn facets(
         &self,
         along: Along,
         constants: Vec<(usize, f64)>,
         measures: &[(usize, Sense)],
-    ) -> Facets {
+    ) -> Result<Facets, ClosureError> {
         Facets::new(self, along, constants, measures)
     }
 

@@ -5,14 +5,22 @@ use crate::closure::{Along, AnyLinkage, Facet};
 use assur_functions::Sense;
 use std::f64::consts::TAU;
 
-/// The swing and the largest cosine, which are to be small, the swing as what is to be large, the mean.
-const WANTED: [(usize, Sense); 4] =
-    [(0, Sense::Smallest), (1, Sense::Smallest), (0, Sense::Largest), (2, Sense::Largest)];
+/// The swing and the largest cosine, which are to be small, the swing as what is to be large, the mean; and what is found where a
+/// condition holds, once of the crank alone, once of the rocker.
+const WANTED: [(usize, Sense); 6] = [
+    (0, Sense::Smallest),
+    (1, Sense::Smallest),
+    (0, Sense::Largest),
+    (2, Sense::Largest),
+    (3, Sense::Smallest),
+    (4, Sense::Smallest),
+];
 
 fn facets(linkage: &dyn AnyLinkage) -> Vec<Vec<Facet>> {
     let way = linkage.way().expect("it is swept");
     let constants = (0..4).map(|index| (index, 0.1)).collect();
-    linkage.facets(way, constants, &WANTED).of(linkage).expect("the crank turns")
+    let facets = linkage.facets(way, constants, &WANTED).expect("the crank turns");
+    facets.of(linkage).expect("the crank turns")
 }
 
 fn measures(linkage: &dyn AnyLinkage) -> Vec<f64> {
@@ -47,7 +55,9 @@ fn check(linkage: &dyn AnyLinkage) {
     }
     // Of what is to be small every place counts; of what is to be large only the extremes themselves.
     let counts: Vec<usize> = all.iter().map(Vec::len).collect();
-    assert_eq!(counts, [2 * 128, 128, 1, 1]);
+    assert_eq!(counts, [2 * 128, 128, 1, 1, 2 * 21, 1]);
+    let within = |at: f64| at.cos() > 0.5 - 1e-12;
+    assert!(all[4].iter().all(|facet| facet.at.is_some_and(within)), "{:?}", all[4]);
     assert!(all[1].iter().all(|facet| facet.at.is_some()) && all[2][0].at.is_none());
 }
 

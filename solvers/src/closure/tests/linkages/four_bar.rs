@@ -50,21 +50,25 @@ const fn measure(name: &'static str) -> Quantity {
 }
 
 /// Its measures: the swing of the rocker with the length of the crank, the largest cosine of the angle between rod and rocker,
-/// the mean position of the rocker.
-const MEASURES: [Quantity; 3] = [measure("swing"), measure("largest"), measure("mean")];
+/// the mean position of the rocker, how far this swings while the crank is within 60° of the frame, and the largest cosine while
+/// it swings further.
+const MEASURES: [Quantity; 5] =
+    [measure("swing"), measure("largest"), measure("mean"), measure("within"), measure("beyond")];
 
 /// What they are made of.
-const PRIMITIVES: [Primitive; 4] = [
+const PRIMITIVES: [Primitive; 6] = [
     Primitive::of(Kind::Peak, 0),
     Primitive::of(Kind::Lowest, 0),
     Primitive::of(Kind::Peak, 1),
     Primitive::of(Kind::Mean, 0),
+    Primitive::of(Kind::Peak, 0).within(2),
+    Primitive::of(Kind::Peak, 1).within(3),
 ];
 
 /// What it is made of, its loops closed in a way.
 const fn shape(groups: List<Group>) -> Shape {
-    let uses: List<List<usize>> = &[&[0, 1], &[2], &[3]];
-    by_hand([4, 2], &[true, true], groups, &VARIABLES).measures(&MEASURES, uses, &PRIMITIVES, 2)
+    let uses: List<List<usize>> = &[&[0, 1], &[2], &[3], &[4], &[5]];
+    by_hand([4, 2], &[true, true], groups, &VARIABLES).measures(&MEASURES, uses, &PRIMITIVES, 4)
 }
 
 /// In closed form.
@@ -152,11 +156,19 @@ impl<S: Scalar, const ITERATED: bool> Closure<S> for Loops<S, ITERATED> {
     fn outputs(&self, _: &[S; 2], z: &[S; 6], values: &mut [S]) {
         values.copy_from_slice(&z[..2]);
     }
-    fn measured(&self, _: &[S; 2], z: &[S; 6], values: &mut [S]) {
-        values.copy_from_slice(&[z[1], z[2].mul_add(z[4], z[3] * z[5])]);
+    fn measured(&self, instant: &[S; 2], z: &[S; 6], values: &mut [S]) {
+        let within = instant[0] - S::from_f64(0.5);
+        let beyond = z[1] - S::from_f64(2.0);
+        values.copy_from_slice(&[z[1], z[2].mul_add(z[4], z[3] * z[5]), within, beyond]);
     }
     fn measures(&self, found: &[S], values: &mut [S]) {
-        values.copy_from_slice(&[found[0] - found[1] + self.crank, found[2], found[3]]);
+        values.copy_from_slice(&[
+            found[0] - found[1] + self.crank,
+            found[2],
+            found[3],
+            found[4],
+            found[5],
+        ]);
     }
 }
 
