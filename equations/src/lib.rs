@@ -13,6 +13,7 @@ assur::equations! {
     "sewing_feed.eqn",
     "feed_inverse.eqn",
     "dwell_six_bar.eqn",
+    "dwell_feed.eqn",
     "table_drive.eqn",
     "presser_foot.eqn",
     "needle_impact.eqn",

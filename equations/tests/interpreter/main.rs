@@ -109,7 +109,7 @@ macro_rules! mechanisms {
 
 mechanisms! {
     batten batten_table heald_linkage selvedge_linkage feed_rack feed_lift feed_stitch sewing_feed feed_inverse dwell_six_bar
-    table_drive presser_foot needle_impact engine balanced_four_bar shaper andrews feed_dynamics car_axis governor
+    dwell_feed table_drive presser_foot needle_impact engine balanced_four_bar shaper andrews feed_dynamics car_axis governor
     elastic_crank simple_pendulum four_bar_chain four_bar_row bricard lamp_arm burnishing gear_flank packet_reducer
     cam pumping_jack
 }
