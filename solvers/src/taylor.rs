@@ -4,7 +4,8 @@
 //! Experimental Mathematics 14 (2005): the order follows from the tolerance, the length of a step from the last two terms.
 //! They say nothing of what the series does not feel, a jump of the rates or a branch that is left. So the rates at the end of
 //! the step are compared with those of the series there, whose difference is the derivative of the first term that was left
-//! out: that is the error of the step.
+//! out: that is the error of the step. What changes and changes back meanwhile, as the sign of a friction that a steep `tanh` smooths,
+//! is looked for in between.
 
 use crate::model::Flow;
 use crate::ode::{
@@ -26,6 +27,8 @@ const SHORTER: f64 = 1e6;
 const POWERS: usize = 4;
 /// Whoever wants to know the stiffness hears of it once in so many steps.
 const FELT: usize = 16;
+/// Parts of a step at which it is looked at as well: multiples of the golden section, which keep out of step with whatever swings.
+const BETWEEN: [f64; 3] = [0.236, 0.472, 0.708];
 /// How often a shorter length is tried.
 const ATTEMPTS: usize = 60;
 
@@ -136,10 +139,8 @@ impl Taylor {
             }
             let to = clock.target(limited, statistics.steps);
             let length = to - clock.now;
-            self.cut_off(length / unit);
-            flow.rates(to, &self.after, &mut self.rate);
-            statistics.evaluations += 1;
-            let (error, component) = self.error(length, options);
+            let (error, component) = self.look(flow, (clock.now, to), unit, options);
+            statistics.evaluations += 1 + BETWEEN.len();
             let is_good = error <= 1.0 || is_fixed && error.is_finite();
             if !is_good {
                 statistics.rejected += 1;
@@ -253,6 +254,29 @@ impl Taylor {
         let [other, last] = sizes;
         let factor = SAFETY * root(other, self.order - 1).min(root(last, self.order));
         (unit.abs() * factor).min(limit).copysign(unit)
+    }
+
+    /// The error of a step in tolerances, and the state that has it: at its end, where the polynomial is left that leads there, or,
+    /// if it is larger, on the way.
+    #[inline(always)]
+    fn look(
+        &mut self,
+        flow: &Flow<'_>,
+        (from, to): (f64, f64),
+        unit: f64,
+        options: &Options,
+    ) -> (f64, usize) {
+        let mut worst = (0.0, 0);
+        for part in BETWEEN.into_iter().chain([1.0]) {
+            let length = part * (to - from);
+            self.cut_off(length / unit);
+            flow.rates(if part == 1.0 { to } else { from + length }, &self.after, &mut self.rate);
+            let own = self.error(length, options);
+            if !(own.0 <= worst.0) {
+                worst = own;
+            }
+        }
+        worst
     }
 
     /// The polynomial of a step that is so many times as long as what the terms are based on, the state and the slopes at

@@ -141,6 +141,40 @@ fn tolerances_that_make_no_sense_are_refused() {
     }
 }
 
+mod rubbing {
+    assur::mechanism! {
+        /// A body that is pushed to and fro, and rubs: its series does not feel that the friction turns round with the speed.
+        Rubbing from "made up";
+        parameter c = 0.9, F = 0.05, v_s = 1e-3;
+        state v: 1 = 1;
+        let turn = 1[1/s]*time;
+        motion push: dot(v) = -(sin(turn) + F*tanh((v - 1 + c)/v_s))*1[1/s];
+        output v;
+        scene go { run time 0 s .. 20 s; }
+    }
+}
+
+/// The ends of a step say nothing of a friction that has turned round and back within it.
+#[test]
+fn what_turns_round_within_a_step_is_felt() {
+    for c in [0.1, 0.3, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95] {
+        let go = rubbing::Go { c, ..rubbing::Go::default() };
+        let by = |method, rtol, max_step| {
+            let settings = Settings { max_step, ..Settings::new(method).rtol(rtol) };
+            let motion = hybrid::march(&go, (0.0, 20.0), &[1.0], &settings).expect("it goes on");
+            (motion.end[0], motion.statistics.steps)
+        };
+        let (exact, _) = by(Method::Dop853, 1e-13, Some(1e-2));
+        for rtol in [1e-7, 1e-10, 1e-13] {
+            let (own, steps) = by(Method::Taylor, rtol, None);
+            assert!(
+                (own - exact).abs() < 1e3 * rtol + 1e-11,
+                "{c} {rtol:e}: {own} {exact}, {steps} steps"
+            );
+        }
+    }
+}
+
 mod relaxation {
     assur::mechanism! {
         /// An oscillator that goes to and fro between two states, at once.
