@@ -1,9 +1,9 @@
 //! The measures of a scene as data.
 
 use assur_model::checked::{
-    ModeModel, Moment, Primitive, PrimitiveKind, SceneModel, SynthesisInfo,
+    ModeModel, Moment, Primitive, PrimitiveKind, SceneModel, SolvedInfo, SynthesisInfo,
 };
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::expression::{number, size};
@@ -38,13 +38,47 @@ fn sought(synthesis: &SynthesisInfo) -> TokenStream {
         quote!((#index, #weight))
     });
     let objective = size(synthesis.objective);
+    let solved = match &synthesis.solved {
+        Some(solved) => {
+            let solved = solved_for(solved);
+            quote!(::core::option::Option::Some(#solved))
+        }
+        None => quote!(::core::option::Option::None),
+    };
     quote! {
         .synthesis(Synthesis {
             varied: &[#(#varied),*],
             conditions: &[#(#conditions),*],
             preferences: &[#(#preferences),*],
             objective: #objective,
+            solved: #solved,
         })
+    }
+}
+
+/// What follows from a condition.
+fn solved_for(solved: &SolvedInfo) -> TokenStream {
+    let unknowns = solved.unknowns.iter().map(|index| size(*index));
+    let terms = solved.terms.iter().map(|term| {
+        let (quantity, moves) = (size(term.quantity), term.moves);
+        let powers = term.powers.iter().map(|power| Literal::u32_unsuffixed(*power));
+        quote!(Term::new(#quantity, #moves, &[#(#powers),*]))
+    });
+    let one = |index: Option<usize>| match index.map(size) {
+        Some(index) => quote!(::core::option::Option::Some(#index)),
+        None => quote!(::core::option::Option::None),
+    };
+    let (text, scanned, free) = (&solved.text, one(solved.scanned), one(solved.free));
+    let groups = solved.groups.iter().map(|group| size(*group));
+    quote! {
+        Solved {
+            text: #text,
+            unknowns: &[#(#unknowns),*],
+            terms: &[#(#terms),*],
+            scanned: #scanned,
+            free: #free,
+            groups: &[#(#groups),*],
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 use assur_model::checked::{
     AugmentedInfo, ConstantInfo, Direction, Distribution, ExpectInfo, ExpectPlace, GroupKind,
     LinkageInfo, LoopInfo, ModeModel, Moment, Primitive, PrimitiveKind, QuantityInfo, SceneModel,
-    Subject, SynthesisInfo, VariableInfo,
+    SolvedInfo, Subject, SynthesisInfo, VariableInfo,
 };
 use assur_model::token::Span;
 use assur_solvers::shape::{self, Shape, Text};
@@ -106,6 +106,22 @@ fn synthesis(info: &SynthesisInfo) -> shape::Synthesis {
         conditions: list(info.conditions.iter().copied()),
         preferences: list(info.preferences.iter().copied()),
         objective: info.objective,
+        solved: info.solved.as_ref().map(solved),
+    }
+}
+
+fn solved(info: &SolvedInfo) -> shape::Solved {
+    let terms = info
+        .terms
+        .iter()
+        .map(|term| shape::Term::new(term.quantity, term.moves, list(term.powers.iter().copied())));
+    shape::Solved {
+        text: text(&info.text),
+        unknowns: list(info.unknowns.iter().copied()),
+        terms: list(terms),
+        scanned: info.scanned,
+        free: info.free,
+        groups: list(info.groups.iter().copied()),
     }
 }
 

@@ -12,7 +12,8 @@ pub use linkage::{
     VariableInfo,
 };
 pub use measure::{
-    MeasureInfo, Measured, Moment, Primitive, PrimitiveKind, SynthesisInfo, VariedInfo,
+    MeasureInfo, Measured, Moment, Primitive, PrimitiveKind, SolvedInfo, SynthesisInfo, TermInfo,
+    VariedInfo,
 };
 pub use mode::{EventInfo, ModeModel};
 pub use tests::Test;

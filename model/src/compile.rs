@@ -288,7 +288,10 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     if mode.declared.is_linkage() {
         model.linkage = Some(request::influences(&mode, &kept, &mut request, low));
     }
-    model.synthesis = synthesis::read(scene, &model, &mode.declared.constants, low);
+    model.synthesis = {
+        let given = (&mode.declared.constants[..], mode.asked.condition.take(), &mode.linkage);
+        synthesis::read(scene, &model, given, low)
+    };
     let kinds = &mode.asked.measures.kinds;
     let file = (mode.here.task.file, mode.here.task.is_first);
     model.expectations = crate::published::expectations(low, file, &model, kinds, stretch);

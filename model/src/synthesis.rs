@@ -3,10 +3,15 @@
 //! A condition is kept by a margin, and a margin is a measure as any other: so is what is made small. A synthesis is
 //! therefore a study of the scene that chooses its own values.
 
+mod solved;
+
+pub use solved::{Condition, read as condition};
+
 use crate::checked::{ConstantInfo, SceneModel, SynthesisInfo, VariedInfo};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Symbol;
 use crate::homogeneity::describe;
+use crate::linkage::Linkage;
 use crate::lower::{Kind, Lowering};
 use crate::nearest::nearest;
 use crate::resolve::Names;
@@ -73,7 +78,7 @@ fn margin(condition: &Term) -> Option<(Term, Option<UnitTerm>)> {
 pub fn read(
     scene: &Scene,
     model: &SceneModel,
-    constants: &[Option<ConstantInfo>],
+    (constants, condition, linkage): (&[Option<ConstantInfo>], Option<Condition>, &Linkage),
     low: &mut Lowering<'_>,
 ) -> Option<SynthesisInfo> {
     let (mut varied, mut objectives) = (Vec::new(), Vec::new());
@@ -91,6 +96,8 @@ pub fn read(
             _ => {}
         }
     }
+    // What is solved for while designs are sought is varied as all others when one is polished.
+    varied.extend(solved::constants(scene));
     let Some((objective, place)) = objectives.first().cloned() else {
         conditions.extend(preferences.iter().map(|(name, place, _)| (name.clone(), *place)));
         report_without(scene, &varied, &conditions, low);
@@ -130,7 +137,11 @@ pub fn read(
         }
         all.push(info);
     }
-    Some(SynthesisInfo { varied: all, conditions, preferences, objective })
+    let solved = match condition {
+        Some(condition) => Some(condition.solved(all.len(), linkage, low)?),
+        None => None,
+    };
+    Some(SynthesisInfo { varied: all, conditions, preferences, objective, solved })
 }
 
 /// What a preference that is missed costs, per unit of what it is missed by: in the unit of what is made small.

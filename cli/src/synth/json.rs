@@ -21,6 +21,8 @@ pub struct Object {
     varied: Vec<Varied>,
     /// The measure that is made small.
     minimised: &'static str,
+    /// The condition that the last of those follow from while designs are sought, and how many these are.
+    solved: Option<Solved>,
     /// The measures that must not be below zero, the most important first.
     kept: Vec<&'static str>,
     /// The measures that had better not be below zero.
@@ -35,6 +37,14 @@ pub struct Object {
     seconds: f64,
     /// Path of the figure, if one was drawn.
     figure: Option<String>,
+}
+
+/// What values follow from.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Solved {
+    condition: &'static str,
+    values: usize,
 }
 
 /// A value that is varied.
@@ -169,6 +179,10 @@ impl Object {
         Self {
             format: "assur-synth/1",
             about: About::of(&found.constants),
+            solved: found
+                .synthesis
+                .solved
+                .map(|solved| Solved { condition: solved.text, values: solved.unknowns.len() }),
             varied: varied.collect(),
             minimised: found.measure(found.synthesis.objective).name,
             kept: kept.collect(),

@@ -57,8 +57,8 @@ pub struct Search {
     file: Option<Destination>,
     problem: String,
     follows_from: String,
-    /// Numbers of a design.
-    length: usize,
+    /// Numbers of a design, and how many of them are chosen.
+    length: (usize, usize),
     written: Instant,
     /// Where it begins.
     pub stand: Stand,
@@ -78,7 +78,11 @@ impl Search {
         let mut search = Self {
             file: None,
             follows_from: premises(options, constants, settings),
-            length: constants.scene.shape.synthesis.map_or(0, |one| one.varied.len()),
+            length: constants
+                .scene
+                .shape
+                .synthesis
+                .map_or((0, 0), |one| (one.varied.len(), one.chosen())),
             problem,
             written: Instant::now(),
             stand: Stand::default(),
@@ -118,8 +122,8 @@ impl Search {
 
     /// Whether all designs have as many numbers as are sought.
     fn is_sound(&self, stand: &Stand) -> bool {
-        let has_all = |numbers: usize, designs: usize| numbers == designs * self.length;
-        stand.found.iter().all(|one| one.design.len() == self.length)
+        let has_all = |numbers: usize, designs: usize| numbers == designs * self.length.1;
+        stand.found.iter().all(|one| one.design.len() == self.length.0)
             && stand
                 .population
                 .as_ref()

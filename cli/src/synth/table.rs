@@ -39,6 +39,13 @@ pub fn render(page: &mut Page, found: &Found, figure: Option<&Path>) {
 fn problem(page: &mut Page, found: &Found) {
     let objective = found.measure(found.synthesis.objective);
     page.line(&format!("Made small: {}", objective.name));
+    if let Some(solved) = found.synthesis.solved {
+        let names = found.varied().skip(found.synthesis.chosen()).map(|one| one.name);
+        let names: Vec<&str> = names.collect();
+        let text =
+            format!("Solved for: {} from {}, by least squares", names.join(", "), solved.text);
+        page.line(&format!("{text}; then polished with the others"));
+    }
     for index in found.synthesis.conditions {
         let quantity = found.measure(*index);
         let text = if quantity.summary.is_empty() { "" } else { ", " };

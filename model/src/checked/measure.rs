@@ -23,6 +23,36 @@ pub struct SynthesisInfo {
     pub preferences: Vec<(usize, f64)>,
     /// The measure that is made small.
     pub objective: usize,
+    /// What follows from a condition while designs are sought.
+    pub solved: Option<SolvedInfo>,
+}
+
+/// Constants that follow from a condition, a polynomial in them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolvedInfo {
+    /// The condition.
+    pub text: String,
+    /// Their places among those that are varied.
+    pub unknowns: Vec<usize>,
+    /// The terms of the polynomial.
+    pub terms: Vec<TermInfo>,
+    /// The one of them, by its place here, but for which terms that move are linear in all together.
+    pub scanned: Option<usize>,
+    /// The one that stands alone in a term that does not move.
+    pub free: Option<usize>,
+    /// The groups of loops that the coefficients need, in their order.
+    pub groups: Vec<usize>,
+}
+
+/// A term of a polynomial.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TermInfo {
+    /// Its coefficient, by its place among what measures look at.
+    pub quantity: usize,
+    /// The power of each unknown.
+    pub powers: Vec<u32>,
+    /// Whether the coefficient is not the same on the whole way.
+    pub moves: bool,
 }
 
 /// A constant that is varied.

@@ -11,6 +11,7 @@ use crate::measures::{self, Measures};
 use crate::modes;
 use crate::program::Event;
 use crate::syntax::tree::{Scene, SceneItem};
+use crate::synthesis::{self, Condition};
 
 /// What is asked for.
 pub struct Asked {
@@ -22,6 +23,8 @@ pub struct Asked {
     pub literal: Option<LiteralInfo>,
     /// Numbers of a whole run.
     pub measures: Measures,
+    /// What constants follow from while designs are sought.
+    pub condition: Option<Condition>,
     /// The task with its times.
     pub span: TaskValues,
     /// What is drawn.
@@ -39,7 +42,7 @@ impl Asked {
         let events = modes::read(low, names, here.phases, here.index);
         let outputs = facts::outputs(low, &names.outputs[reported..]);
         let literal = low.literal.take();
-        let measures = match measured(low, scene) {
+        let mut measures = match measured(low, scene) {
             Some(task) => {
                 let modes = here.phases.all.iter().map(|phase| phase.name.clone());
                 let moments = (modes.collect(), here.phases.event_names());
@@ -49,6 +52,8 @@ impl Asked {
             }
             None => Measures::default(),
         };
+        let condition =
+            scene.and_then(|scene| synthesis::condition(scene, &mut measures.looked_at, low));
         let span = task(here, low);
         let geometry = Geometry::read(&here.phase().statements, names, &outputs.values, low);
         let ranges = Ranges::read(names, scene, low);
@@ -61,6 +66,7 @@ impl Asked {
             outputs,
             literal,
             measures,
+            condition,
             span,
             geometry,
             ranges,

@@ -16,6 +16,7 @@ mod graph;
 mod hash;
 mod laws;
 mod linear;
+mod polynomial;
 mod search;
 mod simplify;
 mod solve;

@@ -134,3 +134,57 @@ fn what_changes_nothing_is_not_varied() {
                 let y = b; scene go { run time 0 s .. 1 s; vary b in 1 mm .. 3 mm; minimise peak(x); }";
     check(text, &[("nothing in the scene `go` depends on `b`", "b", "leave it out")]);
 }
+
+/// A line through a curve.
+const LINE: &str = "Line; parameter a = 0 in -5 .. 5, b = 0 in -5 .. 5, c = 1 in 0 .. 5, k = 1 in 0 .. 2; driver x in 0 .. 1; \
+                    output y = a + b*x + c*k; measure off = peak(abs(a + b*x + c*k - exp(k*x))); ";
+
+#[test]
+fn constants_follow_from_a_condition() {
+    let solved = |text: &str| {
+        let scene = first_scene(text);
+        let synthesis = scene.synthesis.expect("it seeks");
+        let count = scene.program.results.measured.len();
+        let solved = synthesis.solved.expect("it solves");
+        assert!(solved.terms.iter().all(|term| term.quantity < count));
+        let terms =
+            solved.terms.into_iter().map(|term| (term.powers, term.moves)).collect::<Vec<_>>();
+        (solved.unknowns, terms, solved.scanned, solved.free, solved.groups)
+    };
+    let line = solved(&format!(
+        "{LINE} scene best {{ sweep x; vary k; solve for a, b in 0 .. 4: a + b*x = exp(k*x); minimise off; }}"
+    ));
+    let terms = vec![(vec![0, 0], true), (vec![0, 1], true), (vec![1, 0], false)];
+    assert_eq!(line, (vec![1, 2], terms, None, Some(0), vec![]));
+    // The point on the coupler of a crank-rocker that keeps its distance from another: the loop is closed for it.
+    let point = solved(&format!(
+        "{ROCKER} parameter u = 0 m in -1 m .. 1 m, v = 0 m in -1 m .. 1 m, r = 1 m in 0 m .. 2 m, q = 0 m in -1 m .. 1 m; \
+         point P = l1*dir(phi + turn) + rot(gamma)*[u, v], Q = [q, 2*q]; output far = norm(P - Q) - r; \
+         scene best {{ sweep phi; vary l1; solve for u, v, r, q: inner(P - Q, P - Q) = r^2; minimise swing; }}"
+    ));
+    assert_eq!((point.0, point.2, point.3, point.4), (vec![1, 2, 3, 4], Some(3), Some(2), vec![0]));
+}
+
+#[test]
+#[rustfmt::skip]
+fn conditions_that_constants_do_not_follow_from() {
+    let wrong = |solve: &str, message: &'static str, words: &'static str, hint: &'static str| {
+        check(&format!("{LINE} scene best {{ sweep x; vary k; {solve} minimise off; }}"), &[(message, words, hint)]);
+    };
+    wrong("solve a: a*x = 1;", "found `a`, expected `for`", "a", "`solve for x, y: left = right;`");
+    wrong("solve for a: sin(a)*x = 1;", "this is no polynomial in the constants", "sin(a)*x = 1", "lengths and angles are not");
+    wrong("solve for a: x^a = 1;", "this is no polynomial in the constants", "x^a = 1", "");
+    wrong("solve for a, b: a^2*x + b^2*x^3 = 1;", "more than one constant enters this in powers", "a^2*x + b^2*x^3 = 1", "vary one of them");
+    wrong("solve for a, b: a + b = x;", "`b` does not follow from the condition", "b", "vary it");
+    wrong("solve for a, b, c: a*x + b^2 + b*c = x;", "`b` does not follow from the condition", "b", "vary it");
+    wrong("solve for a, b: a*x = exp(x);", "`b` does not follow from the condition", "b", "vary it");
+    wrong("solve for a: a*x + a^2 = exp(x);", "a term with `a` does not move", "a*x + a^2 = exp(x)", "makes up for it");
+    wrong("solve for a: [a*x, x] = [1, 2];", "a condition to be solved is between two numbers", "[a*x, x] = [1, 2]", "the square of their distance");
+    wrong("solve for a: a*x = 1 m;", "the two sides of the equation are", "a*x = 1 m", "");
+    wrong("solve for a: a*x = 1; solve for b: b*x = 1;", "constants follow from one condition", "b*x", "");
+    wrong("solve for a in {1, 2}: a*x = 1;", "`a` is solved for, and so has a range", "a", "chosen from single values");
+    wrong("solve for k: k*x = 1;", "`k` is varied twice", "k", "");
+    wrong("solve for z: z*x = 1;", "`z`", "z", "");
+    check(&format!("{ROCKER} scene best {{ sweep phi; vary a; solve for l1: l1*cos(psi) = 1 m; minimise swing; }}"),
+        &[("this depends on `l1` through the loops as well", "l1*cos(psi) = 1 m", "where it has to be")]);
+}

@@ -1,6 +1,6 @@
 //! What measures find of a run, and what a synthesis seeks by them.
 
-use super::List;
+use super::{List, Text};
 
 /// A number of a run that is found by looking at it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,9 +40,16 @@ pub struct Synthesis {
     pub preferences: List<(usize, f64)>,
     /// The measure that is made small, by index.
     pub objective: usize,
+    /// What follows from a condition while designs are sought.
+    pub solved: Option<Solved>,
 }
 
 impl Synthesis {
+    /// How many of the constants that are varied, the first ones, are chosen while designs are sought.
+    pub fn chosen(&self) -> usize {
+        self.varied.len() - self.solved.map_or(0, |solved| solved.unknowns.len())
+    }
+
     /// What is made small, with what preferences that are missed cost, from the measures.
     pub fn worth(&self, measure: impl Fn(usize) -> f64) -> f64 {
         let preferences = self.preferences.iter();
@@ -69,6 +76,43 @@ impl Varied {
     #[doc(hidden)]
     pub const fn new(constant: usize, (from, to): (f64, f64), values: List<f64>) -> Self {
         Self { constant, from, to, values }
+    }
+}
+
+/// Constants that follow from a condition, a polynomial in them, once the others are chosen: those for which the sum of its
+/// squares over the way is least.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solved {
+    /// The condition.
+    pub text: Text,
+    /// The constants, by their places among those that are varied.
+    pub unknowns: List<usize>,
+    /// The terms of the polynomial.
+    pub terms: List<Term>,
+    /// The one of them, by its place here, but for which terms that move are linear in all together.
+    pub scanned: Option<usize>,
+    /// The one that stands in no term that moves, but in a power of its own in one that does not.
+    pub free: Option<usize>,
+    /// The groups of loops that have to be closed, in their order.
+    pub groups: List<usize>,
+}
+
+/// A term of a polynomial.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Term {
+    /// Its coefficient, a quantity by its index.
+    pub quantity: usize,
+    /// The power of each unknown.
+    pub powers: List<u32>,
+    /// Whether the coefficient is not the same on the whole way.
+    pub moves: bool,
+}
+
+impl Term {
+    /// A coefficient, whether it moves, and the power of each unknown.
+    #[doc(hidden)]
+    pub const fn new(quantity: usize, moves: bool, powers: List<u32>) -> Self {
+        Self { quantity, powers, moves }
     }
 }
 

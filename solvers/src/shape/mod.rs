@@ -13,7 +13,7 @@ pub use facts::{At, Energy, EquationText, Expectation, Mark, Operations, Subject
 #[cfg(test)]
 pub(crate) use loops::by_hand;
 pub use loops::{Augmented, Group, GroupKind, Link, LinkageEntry, Loop, Variable};
-pub use measured::{Kind, Moment, NamedEvent, Primitive, Synthesis, Varied};
+pub use measured::{Kind, Moment, NamedEvent, Primitive, Solved, Synthesis, Term, Varied};
 pub use modes::{Direction, EventEntry, ModeEntry};
 pub use quantity::{Constant, Distribution, Quantity, Unit};
 

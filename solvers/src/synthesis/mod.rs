@@ -9,6 +9,7 @@ mod bent;
 mod certificate;
 #[cfg(feature = "synthesis")]
 mod curve;
+mod fit;
 #[cfg(feature = "synthesis")]
 mod local;
 #[cfg(feature = "synthesis")]
@@ -25,6 +26,7 @@ mod way;
 
 #[cfg(feature = "synthesis")]
 pub use certificate::{Certificate, certify};
+pub use fit::Fit;
 #[cfg(feature = "synthesis")]
 pub use local::{Aim, Local, Look};
 #[cfg(feature = "synthesis")]

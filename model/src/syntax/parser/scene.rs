@@ -55,7 +55,7 @@ impl Parser<'_> {
     pub(super) fn item(&mut self) -> Read<Vec<SceneItem>> {
         let _ = self.documentation();
         let keyword = self.name(
-            "what the scene does: `periodic`, `run`, `rest`, `sweep`, `hold`, `preset`, `output`, `start`, `vary`, `require`, `prefer` or `minimise`",
+            "what the scene does: `periodic`, `run`, `rest`, `sweep`, `hold`, `preset`, `output`, `start`, `vary`, `solve`, `require`, `prefer` or `minimise`",
         )?;
         let items = match keyword.text.as_str() {
             "periodic" => {
@@ -94,6 +94,19 @@ impl Parser<'_> {
                 let constants = self.commas(Self::varied)?;
                 vec![SceneItem::Vary { constants }]
             }
+            "solve" => {
+                if !self.take_word("for") {
+                    return self.wrong(
+                        format!("found {}, expected `for`", self.found()),
+                        Some("write `solve for x, y: left = right;`"),
+                    );
+                }
+                let constants = self.commas(Self::varied)?;
+                self.operator(":")?;
+                let left = self.term()?;
+                self.operator("=")?;
+                vec![SceneItem::Solve { constants, left, right: self.term()? }]
+            }
             "require" => {
                 vec![SceneItem::Require { condition: self.term()?, text: self.text() }]
             }
@@ -116,7 +129,7 @@ impl Parser<'_> {
             }
             other => {
                 let message = format!("`{other}` is nothing that a scene does");
-                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `rest`, `sweep`, `hold`, `preset`, `output`, `start`, `vary`, `require`, `prefer` or `minimise`"));
+                return self.wrong_at(keyword.span, message, Some("a scene has `periodic over …`, `run time a .. b`, `rest`, `sweep`, `hold`, `preset`, `output`, `start`, `vary`, `solve`, `require`, `prefer` or `minimise`"));
             }
         };
         self.operator(";")?;

@@ -49,6 +49,8 @@ pub enum SceneItem {
     StartIn { mode: Name },
     /// `vary L1 in 3 mm .. 20 mm, mode in {-1, 1}, eta;`: constants that a synthesis chooses.
     Vary { constants: Vec<Varied> },
+    /// `solve for x in 3 mm .. 20 mm, y: left = right;`: constants that follow from a condition while designs are sought.
+    Solve { constants: Vec<Varied>, left: Term, right: Term },
     /// `require peak(mu) < 50 deg "text";`: a condition that a synthesis keeps.
     Require { condition: Term, text: Option<String> },
     /// `prefer peak(mu) < 50 deg weight 0.2 "text";`: a condition that a synthesis keeps if that is worth it.

@@ -2,7 +2,7 @@
 
 use super::{
     Among, Expect, ExpectAt, Name, Output, Scene, SceneItem, Selection, StatementKind, Target,
-    Term, TermKind, Tolerance, Unknown, When,
+    Term, TermKind, Tolerance, Unknown, Varied, When,
 };
 
 /// What is done to the parts of a statement.
@@ -120,16 +120,10 @@ impl Scene {
                 SceneItem::StartIn { mode } => visitor.name(mode),
                 SceneItem::Output(output) => output.visit(visitor),
                 SceneItem::Start { values } => pairs(values, visitor),
-                SceneItem::Vary { constants } => {
-                    for one in constants {
-                        match &mut one.among {
-                            Among::Permitted => {}
-                            Among::Range(from, to) => pair((from, to), visitor),
-                            Among::Values(values) => {
-                                values.iter_mut().for_each(|value| visitor.term(value));
-                            }
-                        }
-                    }
+                SceneItem::Vary { constants } => varied(constants, visitor),
+                SceneItem::Solve { constants, left, right } => {
+                    varied(constants, visitor);
+                    pair((left, right), visitor);
                 }
                 SceneItem::Require { condition, .. } => visitor.term(condition),
                 SceneItem::Prefer { condition, weight, .. } => {
@@ -138,6 +132,16 @@ impl Scene {
                 }
                 SceneItem::Minimise { what } => what.visit(visitor),
             }
+        }
+    }
+}
+
+fn varied(constants: &mut [Varied], visitor: &mut dyn Visitor) {
+    for one in constants {
+        match &mut one.among {
+            Among::Permitted => {}
+            Among::Range(from, to) => pair((from, to), visitor),
+            Among::Values(values) => values.iter_mut().for_each(|value| visitor.term(value)),
         }
     }
 }

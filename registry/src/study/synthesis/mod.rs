@@ -1,5 +1,6 @@
 //! A scene that chooses its own values: those for which a measure is least, of all that keep its conditions.
 
+mod complete;
 mod made;
 #[cfg(feature = "synthesis")]
 mod neighbours;
@@ -212,14 +213,15 @@ fn missed(margins: &[f64]) -> Option<f64> {
     Some((margins.len() - 1 - first) as f64 + FRAC_2_PI * (-margins[first]).atan())
 }
 
+/// What is sought are the values that no condition gives: of the designs that it leaves the best counts.
 impl Judge for Design<'_> {
     fn sought(&self) -> &[Sought] {
-        &self.sought
+        self.chosen()
     }
 
     fn judge(&self, designs: &[f64], scores: &mut [Score]) {
-        for (design, score) in designs.chunks_exact(self.sought.len()).zip(scores) {
-            *score = self.score(design);
+        for (chosen, score) in designs.chunks_exact(self.chosen().len()).zip(scores) {
+            *score = self.best(chosen).1;
         }
     }
 }

@@ -88,7 +88,7 @@ pub fn seek(
         let Found { design: best, score, is_gathered, population } =
             search(design, &own, from, &mut heard)?;
         let evaluations = population.evaluations;
-        let best = design.permitted(&best);
+        let best = design.permitted(&design.best(&best).0);
         let candidate = Candidate { design: best, score, evaluations, is_gathered };
         if going.is_break() {
             let mut all = Stand { found: stand.found.clone(), ..Stand::default() };

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `limits` | how far a driver can go |
 //! | `walk`, `measures` | numbers of a whole way |
+//! | `sampled` | quantities at places of it |
 //! | `facets`, `course` | how these change with the constants |
 //! | `strokes`, `track`, `rates` | limit positions and strokes of outputs and dependent coordinates |
 //! | `extremes`, `breaks`, `noise`, `root` | where a function turns round, jumps, or goes beyond all bounds |
@@ -17,6 +18,7 @@ pub(super) mod measures;
 pub(super) mod noise;
 pub(super) mod rates;
 pub(super) mod root;
+pub(super) mod sampled;
 pub(super) mod strokes;
 pub(super) mod track;
 pub(super) mod walk;

@@ -6,6 +6,7 @@ use assur_functions::Sense;
 
 use crate::closure::extent::limits::stretch_of;
 use crate::closure::extent::measures::{Measured, measures_of, weighed_of};
+use crate::closure::extent::sampled::sampled_of;
 use crate::closure::extent::strokes::strokes_of;
 use crate::closure::modes::modes_of;
 use crate::closure::{
@@ -112,6 +113,12 @@ impl dyn AnyLinkage + '_ {
         wanted: &dyn Fn(usize) -> bool,
     ) -> Result<Vec<Result<f64, Missing>>, ClosureError> {
         weighed_of(self, along, wanted)
+    }
+
+    /// All quantities that measures look at, at the middles of so many parts of a way, only some groups of loops being closed, each
+    /// after those that it needs: what needs others means nothing. None where one of them does not close.
+    pub fn sampled(&self, along: Along, groups: &[usize], places: usize) -> Option<Vec<Vec<f64>>> {
+        sampled_of(self, along, groups, places)
     }
 
     /// How measures along a way change with constants, each with the width of its range: what [`Facets::of`] answers, for

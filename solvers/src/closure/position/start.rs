@@ -43,6 +43,12 @@ impl<S: Scalar> Guide<'_, S> {
     /// # Errors
     /// [`ClosureError`] if it does not assemble there, or if the start values do not tell which mode is meant.
     pub fn start(&mut self) -> Result<Start, ClosureError> {
+        let (at, near) = (self.declared(), self.linkage.start());
+        self.start_at(&at, &near)
+    }
+
+    /// Where the independent variables are declared to start; what moves, where its task begins unless that is said.
+    pub(in crate::closure) fn declared(&self) -> Vec<f64> {
         let moving = self.linkage.drive(self.linkage.span().limits().0);
         let ranges = self.linkage.ranges();
         let at = ranges.iter().enumerate().map(|(index, range)| {
@@ -52,8 +58,7 @@ impl<S: Scalar> Guide<'_, S> {
                 None => range.start,
             }
         });
-        let near = self.linkage.start();
-        self.start_at(&at.collect::<Vec<_>>(), &near)
+        at.collect()
     }
 
     /// Puts the linkage together at these values of the independent variables, in the modes nearest to rough values of
@@ -128,8 +133,19 @@ impl<S: Scalar> Guide<'_, S> {
         instant: &[S],
         near: &[f64],
     ) -> Result<(), ClosureError> {
-        for (group, described) in self.entry.groups.iter().enumerate() {
-            let sine = match described.kind {
+        self.place_some(0..self.entry.groups.len(), at, instant, near)
+    }
+
+    /// Closes some groups near rough values, each after those that it needs.
+    pub(in crate::closure) fn place_some(
+        &mut self,
+        groups: impl IntoIterator<Item = usize>,
+        at: &[f64],
+        instant: &[S],
+        near: &[f64],
+    ) -> Result<(), ClosureError> {
+        for group in groups {
+            let sine = match self.entry.groups[group].kind {
                 GroupKind::General => self.place_iterated(group, at, instant, near)?,
                 GroupKind::Linear => self.closed(group, instant, 1.0),
                 _ => self.place_dyad(group, at, instant, near)?,
