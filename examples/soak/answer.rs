@@ -9,8 +9,9 @@ use serde_json::Value;
 
 use crate::case::{Case, Precision};
 
-/// A run that takes longer is a finding.
+/// A run that takes longer is a finding; a reference, of many more digits, may take longer by this factor.
 const PATIENCE: Duration = Duration::from_secs(240);
+const REFERENCE: u32 = 4;
 
 /// What a number is, for the tally.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -78,7 +79,11 @@ pub struct Refusal {
 
 /// Asks the command.
 pub fn ask(command: &Path, case: &Case, precision: Precision) -> Result<Answer, Refusal> {
-    let (code, output, complaint) = output(command, case.arguments(precision))
+    let patience = match precision {
+        Precision::Tried => PATIENCE,
+        Precision::Reference => REFERENCE * PATIENCE,
+    };
+    let (code, output, complaint) = output(command, case.arguments(precision), patience)
         .map_err(|error| Refusal { code: None, text: error.to_string() })?;
     serde_json::from_slice(&output)
         .map(|json| read(&json))
@@ -86,7 +91,11 @@ pub fn ask(command: &Path, case: &Case, precision: Precision) -> Result<Answer, 
 }
 
 /// Exit code and both outputs of the command, which is ended if it takes too long.
-fn output(command: &Path, arguments: Vec<String>) -> io::Result<(Option<i32>, Vec<u8>, Vec<u8>)> {
+fn output(
+    command: &Path,
+    arguments: Vec<String>,
+    patience: Duration,
+) -> io::Result<(Option<i32>, Vec<u8>, Vec<u8>)> {
     let mut child = Command::new(command)
         .args(arguments)
         .args(["--format", "json"])
@@ -99,7 +108,7 @@ fn output(command: &Path, arguments: Vec<String>) -> io::Result<(Option<i32>, Ve
     std::thread::scope(|scope| {
         let stdout = scope.spawn(|| contents(stdout));
         let stderr = scope.spawn(|| contents(stderr));
-        let end = Instant::now() + PATIENCE;
+        let end = Instant::now() + patience;
         let status = loop {
             if let Some(status) = child.try_wait()? {
                 break status;

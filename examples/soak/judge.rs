@@ -76,7 +76,8 @@ impl Verdict {
         self.ends.push(format!("{which}: {first}"));
         // A panic, a kill, no words at all.
         if !matches!(refusal.code, Some(1 | 2)) || refusal.text.contains("panicked") {
-            let what = format!("ended with {:?}: {first}", refusal.code);
+            let which = if precision == Precision::Reference { "the reference " } else { "" };
+            let what = format!("{which}ended with {:?}: {first}", refusal.code);
             self.finding = Some(Finding { sort: Sort::End, weight: f64::INFINITY, what });
         }
     }
