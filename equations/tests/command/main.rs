@@ -3,6 +3,7 @@
 mod answers;
 mod classics;
 mod costs;
+mod dwell;
 mod equation_files;
 mod events;
 mod files;

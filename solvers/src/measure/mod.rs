@@ -104,6 +104,20 @@ pub fn stretches(
     all
 }
 
+/// The first and the last time at which a quantity, by its index, passes zero along a run; none where it does not.
+pub fn passages(
+    motion: &Motion,
+    quantity: usize,
+    count: usize,
+    sample: &Probe<'_>,
+) -> Option<(f64, f64)> {
+    let mut sampler = Sampler::new(motion, count, sample);
+    let mut passages = passage::Passages::default();
+    sampler.walk(ALWAYS, &mut |grid, sampler| passages.look(quantity, grid, sampler));
+    let ((_, first), (_, last)) = passages.finish().1?;
+    Some((first, last))
+}
+
 /// A vibration about a position of rest.
 fn vibration(motion: &Motion, number: u32) -> Result<&Vibration, Missing> {
     let rest = motion.rest.as_ref().ok_or(Missing::Moves)?;

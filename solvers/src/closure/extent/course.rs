@@ -45,6 +45,8 @@ type There = (Vec<f64>, Vec<Vec<f64>>);
 
 /// A linkage that goes its way.
 pub(super) struct Course<'a> {
+    linkage: &'a dyn AnyLinkage,
+    along: Along,
     walk: Walk<'a>,
     /// Number of quantities.
     count: usize,
@@ -62,7 +64,7 @@ impl<'a> Course<'a> {
     pub fn new(linkage: &'a dyn AnyLinkage, along: Along) -> Result<Self, ClosureError> {
         let count = linkage.shape().measured;
         let walk = Walk::new(linkage, along)?;
-        Ok(Self { walk, count, seen: HashMap::new(), known: HashMap::new() })
+        Ok(Self { linkage, along, walk, count, seen: HashMap::new(), known: HashMap::new() })
     }
 
     /// A quantity at a place.
@@ -145,6 +147,30 @@ impl<'a> Course<'a> {
         stopped.map_or(Ok(found), Err)
     }
 
+    /// The value of a quantity where another passes zero, and how it changes with each constant: as the quantity does there, and with
+    /// the place.
+    ///
+    /// # Errors
+    /// Why the linkage does not get there.
+    pub fn passing(
+        &mut self,
+        at: f64,
+        (quantity, guard): (usize, usize),
+        loops: &[Box<dyn Answers<Dual>>],
+    ) -> Result<(f64, Vec<f64>), ClosureError> {
+        let (values, slopes) = self.at(at, loops)?;
+        let mut there = vec![0.0; self.count];
+        self.walk.look(at, &mut there)?;
+        let (drivers, stand) = self.walk.stand();
+        let Along::Driver(driver, _) = self.along else {
+            return Ok((values[quantity], vec![f64::NAN; loops.len()]));
+        };
+        let still = self.linkage.differentiate(&duals(&self.linkage.values(), None));
+        let along = changes(&*still, &duals(&drivers, Some(driver)), &stand, self.count);
+        let moved = |own: &Vec<f64>| own[quantity] - along[quantity] * own[guard] / along[guard];
+        Ok((values[quantity], slopes.iter().map(moved).collect()))
+    }
+
     /// The quantities at a place, and how they change there.
     ///
     /// # Errors
@@ -157,20 +183,23 @@ impl<'a> Course<'a> {
         self.walk.look(at, &mut values)?;
         let (drivers, stand) = self.walk.stand();
         let drivers = duals(&drivers, None);
-        let slopes = loops.iter().map(|loops| {
-            let instant = instant_at(&**loops, &drivers, &[]);
-            let mut position = duals(&stand, None);
-            let mut there = vec![Dual::ZERO; values.len()];
-            match keep_closed(&**loops, &instant, &mut position) {
-                Ok(()) => loops.measured(&instant, &position, &mut there),
-                Err(_) => there.fill(Dual::constant(f64::NAN)),
-            }
-            // Where there is no derivative it is not zero.
-            there.iter().map(|one| if one.value.is_nan() { f64::NAN } else { one.slope }).collect()
-        });
+        let slopes = loops.iter().map(|loops| changes(&**loops, &drivers, &stand, values.len()));
         let slopes = slopes.collect();
         let there = (values, slopes);
         self.known.insert(at.to_bits(), there.clone());
         Ok(there)
     }
+}
+
+/// How so many quantities change at a position with what the drivers, or the loops, are differentiated by.
+fn changes(loops: &dyn Answers<Dual>, drivers: &[Dual], stand: &[f64], count: usize) -> Vec<f64> {
+    let instant = instant_at(loops, drivers, &[]);
+    let mut position = duals(stand, None);
+    let mut there = vec![Dual::ZERO; count];
+    match keep_closed(loops, &instant, &mut position) {
+        Ok(()) => loops.measured(&instant, &position, &mut there),
+        Err(_) => there.fill(Dual::constant(f64::NAN)),
+    }
+    // Where there is no derivative it is not zero.
+    there.iter().map(|one| if one.value.is_nan() { f64::NAN } else { one.slope }).collect()
 }

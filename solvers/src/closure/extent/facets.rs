@@ -8,6 +8,8 @@
 //! such, is compared with that of linkages nearby; so is an extreme where a condition holds, unless that holds at the same places
 //! whatever the constants are.
 
+use std::collections::BTreeMap;
+
 use assur_functions::Sense;
 
 use super::course::{Course, Stretches};
@@ -18,7 +20,7 @@ use crate::closure::linkage::any::AnyLinkage;
 use crate::closure::linkage::derivative::duals;
 use crate::closure::linkage::loops::Answers;
 use crate::scalar::{Dual, Scalar};
-use crate::shape::{Kind, Shape};
+use crate::shape::{Kind, Moment, Shape};
 
 /// Parts in which a way is looked through for what is no extreme.
 const FEW: usize = 16;
@@ -189,6 +191,14 @@ impl Facets {
         }
     }
 
+    /// What passes zero where a primitive is the value of a quantity, and whether the last time counts.
+    fn passage(&self, shape: &Shape, primitive: usize) -> Option<(usize, bool)> {
+        match (shape.primitives[primitive].kind, self.along) {
+            (Kind::Value(Moment::Passes { index, last }), Along::Driver(..)) => Some((index, last)),
+            _ => None,
+        }
+    }
+
     fn look(&self, linkage: &dyn AnyLinkage) -> Result<Known, ClosureError> {
         let shape = linkage.shape();
         let count = shape.primitives.len();
@@ -203,9 +213,11 @@ impl Facets {
             .collect();
         let (extremes, others): (Vec<usize>, Vec<usize>) =
             used.iter().partition(|index| self.extreme(&shape, **index).is_some());
-        if !extremes.is_empty() {
-            self.look_at_extremes(linkage, &extremes, &mut known)?;
-        }
+        let (passages, others): (Vec<usize>, Vec<usize>) =
+            others.iter().partition(|index| self.passage(&shape, **index).is_some());
+        let mut course = Course::new(linkage, self.along)?;
+        self.look_at_extremes((linkage, &mut course), &extremes, &mut known)?;
+        self.look_at_passages((linkage, &mut course), &passages, &mut known)?;
         if !others.is_empty() {
             self.compare(linkage, &others, &mut known)?;
         }
@@ -215,12 +227,11 @@ impl Facets {
     /// Finds extremes, and how quantities change at all places where they may lie.
     fn look_at_extremes(
         &self,
-        linkage: &dyn AnyLinkage,
+        (linkage, course): (&dyn AnyLinkage, &mut Course<'_>),
         extremes: &[usize],
         known: &mut Known,
     ) -> Result<(), ClosureError> {
         let shape = linkage.shape();
-        let mut course = Course::new(linkage, self.along)?;
         for index in extremes {
             let primitive = &shape.primitives[*index];
             let Some((sense, stretches)) =
@@ -243,6 +254,34 @@ impl Facets {
                 (known.found[*index], known.slopes[*index]) = (best.value, best.slopes.clone());
             }
             known.places[*index] = places;
+        }
+        Ok(())
+    }
+
+    /// Finds values where something passes zero, and how they change with the place.
+    fn look_at_passages(
+        &self,
+        (linkage, course): (&dyn AnyLinkage, &mut Course<'_>),
+        passages: &[usize],
+        known: &mut Known,
+    ) -> Result<(), ClosureError> {
+        let shape = linkage.shape();
+        let mut places = BTreeMap::new();
+        for index in passages {
+            let Some((guard, is_last)) = self.passage(shape, *index) else { continue };
+            let ends = match places.get(&guard) {
+                Some(ends) => *ends,
+                None => {
+                    let ends = Walk::new(linkage, self.along)?.passages(FEW, guard)?;
+                    places.insert(guard, ends);
+                    ends
+                }
+            };
+            let Some((first, last)) = ends else { continue };
+            let at = if is_last { last } else { first };
+            let quantity = shape.primitives[*index].argument;
+            (known.found[*index], known.slopes[*index]) =
+                course.passing(at, (quantity, guard), &known.loops)?;
         }
         Ok(())
     }

@@ -110,6 +110,22 @@ impl<'a> Walk<'a> {
         Ok(found.into_iter().map(|(from, to)| (sign * from, sign * to)).collect())
     }
 
+    /// Where a quantity passes zero on the way for the first and the last time; none where it does not.
+    ///
+    /// # Errors
+    /// Why the linkage does not get through it.
+    pub fn passages(
+        &mut self,
+        parts: usize,
+        quantity: usize,
+    ) -> Result<Option<(f64, f64)>, ClosureError> {
+        let count = self.linkage.shape().measured;
+        let (found, sign) = self.look_through(parts, &|motion, sample| {
+            measure::passages(motion, quantity, count, sample)
+        })?;
+        Ok(found.map(|(first, last)| (sign * first, sign * last)))
+    }
+
     /// Looks at the way as at a motion of so many steps; its time is the place of the driver with this sign.
     fn look_through<T>(
         &mut self,

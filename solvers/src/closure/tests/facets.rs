@@ -6,14 +6,15 @@ use assur_functions::Sense;
 use std::f64::consts::TAU;
 
 /// The swing and the largest cosine, which are to be small, the swing as what is to be large, the mean; and what is found where a
-/// condition holds, once of the crank alone, once of the rocker.
-const WANTED: [(usize, Sense); 6] = [
+/// condition holds, once of the crank alone, once of the rocker, and where that begins or ends to hold.
+const WANTED: [(usize, Sense); 7] = [
     (0, Sense::Smallest),
     (1, Sense::Smallest),
     (0, Sense::Largest),
     (2, Sense::Largest),
     (3, Sense::Smallest),
     (4, Sense::Smallest),
+    (5, Sense::Smallest),
 ];
 
 fn facets(linkage: &dyn AnyLinkage) -> Vec<Vec<Facet>> {
@@ -55,7 +56,7 @@ fn check(linkage: &dyn AnyLinkage) {
     }
     // Of what is to be small every place counts; of what is to be large only the extremes themselves.
     let counts: Vec<usize> = all.iter().map(Vec::len).collect();
-    assert_eq!(counts, [2 * 128, 128, 1, 1, 2 * 21, 1]);
+    assert_eq!(counts, [2 * 128, 128, 1, 1, 2 * 21, 1, 1]);
     let within = |at: f64| at.cos() > 0.5 - 1e-12;
     assert!(all[4].iter().all(|facet| facet.at.is_some_and(within)), "{:?}", all[4]);
     assert!(all[1].iter().all(|facet| facet.at.is_some()) && all[2][0].at.is_none());

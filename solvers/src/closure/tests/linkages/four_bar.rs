@@ -4,7 +4,7 @@ use super::{Directions, Dyad, constants, directions, unasked};
 use crate::closure::{Closure, Group, GroupKind, Linkage, Range, Variable};
 use crate::problem::{Refused, Span};
 use crate::scalar::Scalar;
-use crate::shape::{Kind, List, Primitive, Quantity, Shape, Unit, by_hand};
+use crate::shape::{Kind, List, Moment, Primitive, Quantity, Shape, Unit, by_hand};
 use std::f64::consts::TAU;
 
 /// Constants `l1, l2, l3, a`; unknowns `γ, θ`; outputs both.
@@ -51,23 +51,30 @@ const fn measure(name: &'static str) -> Quantity {
 
 /// Its measures: the swing of the rocker with the length of the crank, the largest cosine of the angle between rod and rocker,
 /// the mean position of the rocker, how far this swings while the crank is within 60° of the frame, and the largest cosine while
-/// it swings further.
-const MEASURES: [Quantity; 5] =
-    [measure("swing"), measure("largest"), measure("mean"), measure("within"), measure("beyond")];
+/// it swings further, and this cosine where the rocker last passes there.
+const MEASURES: [Quantity; 6] = [
+    measure("swing"),
+    measure("largest"),
+    measure("mean"),
+    measure("within"),
+    measure("beyond"),
+    measure("there"),
+];
 
 /// What they are made of.
-const PRIMITIVES: [Primitive; 6] = [
+const PRIMITIVES: [Primitive; 7] = [
     Primitive::of(Kind::Peak, 0),
     Primitive::of(Kind::Lowest, 0),
     Primitive::of(Kind::Peak, 1),
     Primitive::of(Kind::Mean, 0),
     Primitive::of(Kind::Peak, 0).within(2),
     Primitive::of(Kind::Peak, 1).within(3),
+    Primitive::of(Kind::Value(Moment::Passes { index: 3, last: true }), 1),
 ];
 
 /// What it is made of, its loops closed in a way.
 const fn shape(groups: List<Group>) -> Shape {
-    let uses: List<List<usize>> = &[&[0, 1], &[2], &[3], &[4], &[5]];
+    let uses: List<List<usize>> = &[&[0, 1], &[2], &[3], &[4], &[5], &[6]];
     by_hand([4, 2], &[true, true], groups, &VARIABLES).measures(&MEASURES, uses, &PRIMITIVES, 4)
 }
 
@@ -168,6 +175,7 @@ impl<S: Scalar, const ITERATED: bool> Closure<S> for Loops<S, ITERATED> {
             found[3],
             found[4],
             found[5],
+            found[6],
         ]);
     }
 }
