@@ -104,9 +104,9 @@ fn coupler_points_of_the_dwell_six_bar() {
             -1.0,
             vec![
                 (-62.451_319_004_602_77, f64::NAN),
-                (-8.920_580_554_455_178, f64::NAN),
+                (-8.920_580_555_455_177, f64::NAN),
                 (3.009_824_431_450_947, 21_940.627_820_904_01),
-                (20.642_002_010_056_08, -120.322_221_630_753_5),
+                (20.642_001_025_005_61, -120.322_221_630_753_5),
                 (63.713_032_939_852_07, 85.637_183_181_953_7),
             ],
         ),
@@ -117,8 +117,7 @@ fn coupler_points_of_the_dwell_six_bar() {
         let found = fit.stationary();
         assert_eq!(found.len(), roots.len(), "{found:?}");
         for ((at, rise), (root, slope)) in found.iter().zip(roots) {
-            // Where the sum of squares is flat rounding leaves no more digits.
-            assert!((at - root).abs() < 1e-9 * root.abs(), "{at} {root}");
+            assert!((at - root).abs() < 1e-11 * root.abs(), "{at} {root}");
             // Half of the sum of squares is differentiated.
             assert!(slope.is_nan() || (2.0 * rise / slope - 1.0).abs() < 1e-5, "{rise} {slope}");
         }
