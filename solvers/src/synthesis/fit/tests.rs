@@ -117,7 +117,8 @@ fn coupler_points_of_the_dwell_six_bar() {
         let found = fit.stationary();
         assert_eq!(found.len(), roots.len(), "{found:?}");
         for ((at, rise), (root, slope)) in found.iter().zip(roots) {
-            assert!((at - root).abs() < 1e-11 * root.abs(), "{at} {root}");
+            // The slope is a difference of terms that are larger by five digits.
+            assert!((at - root).abs() < 1e-10 * root.abs(), "{at} {root}");
             // Half of the sum of squares is differentiated.
             assert!(slope.is_nan() || (2.0 * rise / slope - 1.0).abs() < 1e-5, "{rise} {slope}");
         }
