@@ -139,7 +139,8 @@ fn coupler_points_of_the_dwell_six_bar() {
     assert_eq!(found.len(), expected.len(), "{found:?}");
     for (found, expected) in found.iter().zip(expected) {
         for (a, b) in found.iter().zip(expected) {
-            assert!((a - b).abs() < 1e-9 * b.abs(), "{found:?} {expected:?}");
+            // To a tenth of a nanometre: a short rod is a difference of squares of long ones.
+            assert!((a - b).abs() < 1e-7, "{found:?} {expected:?}");
         }
     }
 }
