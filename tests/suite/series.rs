@@ -145,7 +145,7 @@ mod rubbing {
     assur::mechanism! {
         /// A body that is pushed to and fro, and rubs: its series does not feel that the friction turns round with the speed.
         Rubbing from "made up";
-        parameter c = 0.9, F = 0.05, v_s = 1e-3;
+        parameter c = 1.9, F = 0.05, v_s = 1e-4;
         state v: 1 = 1;
         let turn = 1[1/s]*time;
         motion push: dot(v) = -(sin(turn) + F*tanh((v - 1 + c)/v_s))*1[1/s];
@@ -154,10 +154,11 @@ mod rubbing {
     }
 }
 
-/// The ends of a step say nothing of a friction that has turned round and back within it.
+/// The ends of a step say nothing of a friction that has turned round and back within it: by its ends alone the series for
+/// `c = 1.9` came out wrong by 0.08 at `rtol` 1e-9 and 1e-12.
 #[test]
 fn what_turns_round_within_a_step_is_felt() {
-    for c in [0.1, 0.3, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95] {
+    for c in [1.2, 1.5, 1.8, 1.85, 1.9, 1.95, 1.98] {
         let go = rubbing::Go { c, ..rubbing::Go::default() };
         let by = |method, rtol| {
             let settings = Settings::new(method).rtol(rtol);
