@@ -5,6 +5,7 @@
 use assur::closure::{Along, AnyLinkage, Stroke};
 use assur::problem::Span;
 use assur::registry::SceneEntry;
+use assur::study::each;
 use assur_equations::REGISTRY;
 
 /// How far a dimension may be from its default, as a part of it.
@@ -102,9 +103,10 @@ fn no_position_lies_beyond_the_extremes() {
     let tries = std::env::var("ASSUR_EXTREMES").ok().and_then(|text| text.parse().ok());
     let count = if tries.is_some() { 20_000 } else { 250 };
     let scenes = REGISTRY.iter().flat_map(|one| one.scenes.iter().map(move |scene| (one, scene)));
-    let mut compared = 0;
-    for (mechanism, scene) in scenes.filter(|(_, scene)| scene.linkage.is_some()) {
-        let mut random = Random(1);
+    let scenes: Vec<_> = scenes.filter(|(_, scene)| scene.linkage.is_some()).collect();
+    let compared = each(scenes.len(), 0, &|_| (), &|index| {
+        let (mechanism, scene) = scenes[index];
+        let (mut random, mut compared) = (Random(1), 0);
         for number in 0..tries.unwrap_or(6) {
             let Some(run) = varied(scene, &mut random) else {
                 continue;
@@ -119,6 +121,8 @@ fn no_position_lies_beyond_the_extremes() {
                 compared += 1;
             }
         }
-    }
+        compared
+    });
+    let compared: i32 = compared.into_iter().sum();
     assert!(compared >= 30, "{compared} compared");
 }
