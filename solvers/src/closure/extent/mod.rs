@@ -5,7 +5,7 @@
 //! | `limits` | how far a driver can go |
 //! | `walk`, `measures` | numbers of a whole way |
 //! | `sampled` | quantities at places of it |
-//! | `facets`, `course` | how these change with the constants |
+//! | `facets`, `known`, `course` | how these change with the constants |
 //! | `strokes`, `track`, `rates` | limit positions and strokes of outputs and dependent coordinates |
 //! | `extremes`, `breaks`, `noise`, `root` | where a function turns round, jumps, or goes beyond all bounds |
 
@@ -13,6 +13,7 @@ pub(super) mod breaks;
 pub(super) mod course;
 pub(super) mod extremes;
 pub(super) mod facets;
+pub(super) mod known;
 pub(super) mod limits;
 pub(super) mod measures;
 pub(super) mod noise;
