@@ -272,7 +272,7 @@ impl Taylor {
             self.cut_off(length / unit);
             flow.rates(if part == 1.0 { to } else { from + length }, &self.after, &mut self.rate);
             let own = self.error(length, options);
-            if !(own.0 <= worst.0) {
+            if own.0.is_nan() || own.0 > worst.0 {
                 worst = own;
             }
         }

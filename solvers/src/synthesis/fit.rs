@@ -136,11 +136,10 @@ impl<'a> Fit<'a> {
         let mut here = slope(at)?;
         for _ in 0..STEPS {
             let next = at - here / rise(at)?;
-            let there = slope(next)?;
-            if !(there.abs() < here.abs()) {
-                break;
+            match slope(next) {
+                Some(there) if there.abs() < here.abs() => (at, here) = (next, there),
+                _ => break,
             }
-            (at, here) = (next, there);
         }
         Some((at, rise(at)?))
     }

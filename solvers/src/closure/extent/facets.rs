@@ -144,7 +144,7 @@ impl Facets {
         };
         let uses = shape.uses[measure].iter().copied();
         let bad = uses.filter(|primitive| {
-            let Some(sense) = self.extreme(&shape, *primitive) else {
+            let Some(sense) = self.extreme(shape, *primitive) else {
                 return false;
             };
             let rises = rises(*primitive) * if good == Sense::Smallest { 1.0 } else { -1.0 };

@@ -50,9 +50,9 @@ impl Facets {
             .filter(|index| self.measures.iter().any(|one| shape.uses[*one].contains(index)))
             .collect();
         let (extremes, others): (Vec<usize>, Vec<usize>) =
-            used.iter().partition(|index| self.extreme(&shape, **index).is_some());
+            used.iter().partition(|index| self.extreme(shape, **index).is_some());
         let (passages, others): (Vec<usize>, Vec<usize>) =
-            others.iter().partition(|index| self.passage(&shape, **index).is_some());
+            others.iter().partition(|index| self.passage(shape, **index).is_some());
         let mut course = Course::new(linkage, self.along)?;
         self.look_at_extremes((linkage, &mut course), &extremes, &mut known)?;
         self.look_at_passages((linkage, &mut course), &passages, &mut known)?;
@@ -73,7 +73,7 @@ impl Facets {
         for index in extremes {
             let primitive = &shape.primitives[*index];
             let Some((sense, stretches)) =
-                self.extreme(&shape, *index).zip(self.stretches[*index].as_ref())
+                self.extreme(shape, *index).zip(self.stretches[*index].as_ref())
             else {
                 continue;
             };

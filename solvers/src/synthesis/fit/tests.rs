@@ -99,7 +99,7 @@ const WIDE: [(f64, f64); 4] = [(-200.0, 200.0), (-200.0, 200.0), (1.0, 200.0), (
 fn coupler_points_of_the_dwell_six_bar() {
     // Value of the rocker, and the slope of the slope of the sum of squares there.
     let known = [
-        (1.0, vec![(16.990_544_159_587_46, 82.256_587_177_665_39)]),
+        (1.0, vec![(16.990_544_159_587_46, 82.256_587_177_665_4)]),
         (
             -1.0,
             vec![
