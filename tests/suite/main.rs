@@ -12,6 +12,7 @@
 //! | [`pumping_jack`] | a linkage with masses and its gear against closed forms, and naive ways beside them |
 //! | [`hybrid`] | modes and events against closed forms |
 //! | [`series`] | Taylor series against the other method |
+//! | [`sought`] | what a compiled scene seeks |
 //! | [`sheets`] | formulas without motion: integrals, roots and extremes in them |
 //! | [`tables`] | sampled curves in motions |
 //! | [`stability`] | the page of hard cases, which their tests write |
@@ -33,6 +34,7 @@ mod rest;
 mod series;
 mod sheets;
 mod solved;
+mod sought;
 mod stability;
 mod tables;
 mod trust;
