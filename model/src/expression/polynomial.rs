@@ -8,12 +8,15 @@ use super::hash::Map;
 /// Sum of the powers in a term at most.
 const HIGHEST: u32 = 12;
 
+/// Terms at most.
+const MOST: usize = 200;
+
 /// Coefficients by the powers of the symbols.
 pub type Polynomial = BTreeMap<Vec<u32>, Expression>;
 
 impl Graph {
     /// An expression as a polynomial in some symbols, on which its coefficients do not depend; none if it is none, or one of a
-    /// high degree.
+    /// high degree or of very many terms.
     pub fn polynomial(&mut self, expression: Expression, symbols: &[Symbol]) -> Option<Polynomial> {
         Expansion { graph: self, symbols, known: Map::default() }.of(expression)
     }
@@ -83,6 +86,9 @@ impl Expansion<'_> {
                 }
                 let coefficient = self.graph.mul(*x, *y);
                 self.add(&mut product, powers, coefficient);
+                if product.len() > MOST {
+                    return None;
+                }
             }
         }
         Some(product)

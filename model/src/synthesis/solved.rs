@@ -48,6 +48,12 @@ pub fn read(
         low.diagnostics.push(report.related(place, "the first one"));
         return None;
     }
+    if !low.names.coordinates.is_empty() || !low.names.states.is_empty() {
+        let message =
+            "constants follow from a condition on positions, and this scene moves by itself";
+        low.diagnostics.push(Diagnostic::error(place, message).hint("vary them"));
+        return None;
+    }
     let (residuals, _) = low.aside(|low| low.balance(left, right))?;
     let [residual] = residuals[..] else {
         let report = Diagnostic::error(place, "a condition to be solved is between two numbers");
@@ -71,7 +77,7 @@ pub fn read(
     let symbols: Vec<Symbol> =
         unknowns.iter().map(|(_, index)| Symbol::Parameter(*index as u32)).collect();
     let Some(polynomial) = low.graph.polynomial(residual, &symbols) else {
-        let message = "this is no polynomial in the constants that are solved for";
+        let message = "this is no polynomial in the constants that are solved for, or a long one";
         let hint = "squares of lengths are polynomials, lengths and angles are not";
         low.diagnostics.push(Diagnostic::error(place, message).hint(hint));
         return None;

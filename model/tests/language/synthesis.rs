@@ -185,6 +185,10 @@ fn conditions_that_constants_do_not_follow_from() {
     wrong("solve for a in {1, 2}: a*x = 1;", "`a` is solved for, and so has a range", "a", "chosen from single values");
     wrong("solve for k: k*x = 1;", "`k` is varied twice", "k", "");
     wrong("solve for z: z*x = 1;", "`z`", "z", "");
+    wrong("solve for a, b, c: (a + b*x + c*x^2 + a*b)^12 = 1;", "this is no polynomial in the constants that are solved for, or a long one", "(a + b*x + c*x^2 + a*b)^12 = 1", "");
+    check("Moves; parameter a = 0 in -5 .. 5, k = 1 in 0 .. 2; state x: 1 = 0; motion m: 1 s*dot(x) = k - x; output y = a*x; \
+           scene best { run time 0 s .. 1 s; vary k; solve for a: a*time/1 s = 1; minimise peak(x) + a; }",
+        &[("this scene moves by itself", "a*time/1 s = 1", "vary them")]);
     check(&format!("{ROCKER} scene best {{ sweep phi; vary a; solve for l1: l1*cos(psi) = 1 m; minimise swing; }}"),
         &[("this depends on `l1` through the loops as well", "l1*cos(psi) = 1 m", "where it has to be")]);
 }
