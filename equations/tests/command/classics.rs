@@ -124,3 +124,15 @@ fn preferences_are_kept_where_that_is_worth_it() {
         assert_eq!(found["preferred"][0]["weight"].to_string().parse(), weight.parse::<f64>());
     }
 }
+
+/// No example has a mistake, those either that no other test runs.
+#[test]
+fn all_examples_are_sound() {
+    let examples = format!("{}/../examples/synthesis", env!("CARGO_MANIFEST_DIR"));
+    let all = std::fs::read_dir(examples).expect("the folder is there");
+    let files: Vec<_> = all.map(|one| one.expect("it can be read").path()).collect();
+    assert!(files.len() >= 6, "{files:?}");
+    for file in files {
+        answer(&["check", file.to_str().expect("UTF-8")], &folder("classics_check"));
+    }
+}
