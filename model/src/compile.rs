@@ -279,6 +279,7 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
     let mut request = request::of(&mode, low);
     let carried = request::loops(&mode, &chosen.values, &mut request, low)?;
     (model.carried, model.may_stop) = (carried.loops, carried.may_stop);
+    let modes = carried.modes.len();
     model.requirements.extend(carried.modes);
     if !mode.declared.is_linkage() && !low.names.dependents.is_empty() {
         model.reduced = Some(request::reduced(&mode, low));
@@ -292,6 +293,7 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
         let given = (&mode.declared.constants[..], mode.asked.condition.take(), &mode.linkage);
         synthesis::read(scene, &model, given, low)
     };
+    synthesis::check_modes(&model, modes, low);
     let kinds = &mode.asked.measures.kinds;
     let file = (mode.here.task.file, mode.here.task.is_first);
     model.expectations = crate::published::expectations(low, file, &model, kinds, stretch);

@@ -284,6 +284,25 @@ fn bounds(
     Some(VariedInfo { name: name.text.clone(), place: name.span, constant: 0, from, to, values })
 }
 
+/// Reports values that a motion cannot choose from: those that pick the assembly mode of loops which it carries along, of which it
+/// keeps that of the file. The last requirements of the scene, so many, say that.
+pub fn check_modes(model: &SceneModel, modes: usize, low: &mut Lowering<'_>) {
+    let kept = &model.requirements[model.requirements.len() - modes..];
+    let varied = model.synthesis.iter().flat_map(|synthesis| &synthesis.varied);
+    for one in varied.filter(|one| !one.values.is_empty()) {
+        let is_it = |index: &usize| model.constants[*index].quantity.name == one.name;
+        if let Some(loops) = kept.iter().find(|requirement| requirement.names.iter().any(is_it)) {
+            let message = format!(
+                "`{}` picks the assembly mode of {}, and a scene with coordinates keeps the one that the file picks",
+                one.name, loops.message
+            );
+            let report = Diagnostic::error(one.place, message);
+            low.diagnostics
+                .push(report.hint("state a file, or a preset and a scene, for each mode"));
+        }
+    }
+}
+
 /// Finds the constants that are varied among those of a whole scene, and reports those that change nothing in it.
 pub fn settle(model: &mut SceneModel, diagnostics: &mut Diagnostics) {
     let varied = model.synthesis.iter_mut().flat_map(|synthesis| &mut synthesis.varied);

@@ -126,14 +126,15 @@ fn relative_angles_are_closed_like_directions() {
 /// that pick another one are refused.
 #[test]
 fn start_values_of_what_is_carried_follow_from_constants() {
-    let scene = first_scene(
-        "Rocker; dimension a = 25 mm, b = 90 mm, c = 60 mm, d = 100 mm; parameter mode = -1, J = 1 [kg m^2];
+    let file = |rest: &str| {
+        format!("Rocker; dimension a = 25 mm, b = 90 mm, c = 60 mm, d = 100 mm; parameter mode = -1, J = 1 [kg m^2];
         coordinate phi: rad = 0.5, rate = 2 [rad/s]; kinetic J*dot(phi)^2/2 + J*dot(psi)^2/2;
         let e = [d, 0] - a*dir(phi), gamma_0 = atan2(e.y, e.x) + mode*acos((b^2 + norm(e)^2 - c^2)/(2*b*norm(e)));
         dependent gamma ~ gamma_0, psi: rad;
         closure loop: a*dir(phi) + b*dir(gamma) = [d, 0] + c*dir(psi); output psi, gamma, gamma_0;
-        scene go { run time 0 s .. 1 s; }",
-    );
+        scene go {{ run time 0 s .. 1 s; {rest} }}")
+    };
+    let scene = first_scene(&file(""));
     let place = scene.constants.iter().position(|one| one.quantity.name == "mode");
     let mode = place.expect("the constant is there");
     assert_eq!(scene.requirements.len(), 1);
@@ -151,4 +152,8 @@ fn start_values_of_what_is_carried_follow_from_constants() {
     let ((kept, outputs), (other, _)) = (held(-1.0), held(1.0));
     assert!(kept != 0.0 && other == 0.0, "{kept} {other}");
     assert!((outputs[1] - outputs[2]).abs() < 1e-14, "{outputs:?}");
+    check(
+        &file("vary mode in {-1, 1}, a in 20 mm .. 30 mm; minimise peak(psi);"),
+        &[("`mode` picks the assembly mode of loop.x, loop.y", "mode", "for each mode")],
+    );
 }
