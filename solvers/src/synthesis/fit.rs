@@ -86,6 +86,7 @@ impl<'a> Fit<'a> {
                 all.push((there.sum, self.unknowns(scanned, &there)));
             }
         }
+        all.retain(|one| one.1.iter().all(|value| value.is_finite()));
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
         all.into_iter().map(|one| one.1).collect()
     }

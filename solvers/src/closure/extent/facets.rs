@@ -24,6 +24,9 @@ use crate::shape::{Kind, Moment, Shape};
 /// Parts in which a way is looked through for what is no extreme.
 pub(super) const FEW: usize = 16;
 
+/// Parts in which a condition is looked at, whether it is the same for all constants.
+const MANY: usize = 128;
+
 /// A measure, as if one extreme that it uses lay at one place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Facet {
@@ -91,8 +94,9 @@ impl Facets {
         let loops = self.loops(linkage);
         let mut course = Course::new(linkage, self.along)?;
         let (from, to) = self.along.bounds();
-        for part in 0..=FEW {
-            let (_, slopes) = course.at(from + (to - from) * (part as f64 / FEW as f64), &loops)?;
+        for part in 0..=MANY {
+            let (_, slopes) =
+                course.at(from + (to - from) * (part as f64 / MANY as f64), &loops)?;
             if slopes.iter().any(|all| all[window] != 0.0) {
                 return Ok(None);
             }
