@@ -28,8 +28,9 @@ as a preset that can be put into the equation file. An interrupt (Ctrl-C) ends t
 it goes on later, and finds what it would have found without a stop.
 
 Start values pick the assembly mode of every design: where they follow from the dimensions, `dependent psi ~ eta + mode*90 deg`,
-all designs that close in the mode that is meant have it, and `vary mode in {-1, 1};` seeks in both. What had better be kept, but need not, is a
-`prefer peak(mu) < 50 deg weight 0.2;`: `max(…, 0)` of what is to be small has a corner at which polishing stops.
+all designs that close in the mode that is meant have it, and `vary mode in {-1, 1};` seeks in both. What had better be kept, but
+need not, is a `prefer peak(mu) < 50 deg weight 0.2;`: `max(…, 0)` of what is to be small has a corner at which polishing stops.
+What follows at once from a condition on positions need not be sought: `solve for x, y, r: inner(C - D, C - D) = r^2;`.
 
 Many short searches find more than few long ones, since what they find is polished: some hundred designs each are enough.
 
