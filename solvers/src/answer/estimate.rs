@@ -4,7 +4,8 @@
 //! nine tenths of the printed one's error or more. One with ten times the tolerance differs by nine times that error, or by much
 //! more: a quarter of a ninth of the difference counts, lest the first two solutions agree by luck. The larger of both counts, twice
 //! (`examples/accuracy.rs` compares it with what is true). Where double precision leaves no room for a tenth, or
-//! where it takes too long, ten times the tolerance gives an upper bound instead. Rounding is added as a floor.
+//! where it takes too long, ten times the tolerance gives an upper bound instead, and a hundred times guards against luck.
+//! Rounding is added as a floor.
 
 use super::error::Error;
 use super::motion::Motion;
@@ -22,8 +23,11 @@ const SMALLEST: f64 = 1e-14;
 const SAFETY: f64 = 2.0;
 /// Roundings of a value.
 pub(super) const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
-/// The part of the difference from ten times the tolerance that counts beside that from a tenth.
+/// The part of the difference from ten times the tolerance that counts beside that from a tenth, and from a hundred times beside
+/// that from ten times.
 const LUCK: f64 = 1.0 / 36.0;
+/// The largest tolerance that it is asked for.
+const COARSEST: f64 = 1e-2;
 /// Steps that a tenth of the tolerance may take: so many times those of the printed solution, and so many more. Methods of order
 /// five, the lowest that there are, take 1.6 times as many.
 const MOST: (usize, usize) = (2, 200);
@@ -88,9 +92,12 @@ impl Estimate {
         let tenfold = work.filter(|_| own > 0).map(|work| work as f64 / own as f64);
         let bound = if finer.is_some() { LUCK } else { 1.0 };
         let coarser = coarser.filter(|other| finer.is_none() || other.is_like(motion));
+        let is_bare = finer.is_none() && 100.0 * rtol <= COARSEST;
+        let coarsest = is_bare.then(|| question.solve(&as_chosen(motion).at(100.0 * rtol)).ok());
+        let coarsest = coarsest.flatten().filter(|other| other.is_like(motion));
         let share =
             |motion: Option<Motion>, share: f64| motion.map(|motion| Other { motion, share });
-        let others = [share(finer, 10.0 / 9.0), share(coarser, bound)];
+        let others = [share(finer, 10.0 / 9.0), share(coarser, bound), share(coarsest, LUCK)];
         Ok(Self { others: others.into_iter().flatten().collect(), tenfold, is_cut_off })
     }
 
