@@ -38,6 +38,7 @@ fn sought(synthesis: &SynthesisInfo) -> TokenStream {
         quote!((#index, #weight))
     });
     let objective = size(synthesis.objective);
+    let squares = synthesis.squares.iter().map(|index| size(*index));
     let solved = match &synthesis.solved {
         Some(solved) => {
             let solved = solved_for(solved);
@@ -51,6 +52,7 @@ fn sought(synthesis: &SynthesisInfo) -> TokenStream {
             conditions: &[#(#conditions),*],
             preferences: &[#(#preferences),*],
             objective: #objective,
+            squares: &[#(#squares),*],
             solved: #solved,
         })
     }

@@ -106,6 +106,7 @@ fn synthesis(info: &SynthesisInfo) -> shape::Synthesis {
         conditions: list(info.conditions.iter().copied()),
         preferences: list(info.preferences.iter().copied()),
         objective: info.objective,
+        squares: list(info.squares.iter().copied()),
         solved: info.solved.as_ref().map(solved),
     }
 }

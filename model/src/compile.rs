@@ -290,8 +290,8 @@ fn program_of(mut mode: Mode<'_>, low: &mut Lowering<'_>) -> Option<Compiled> {
         model.linkage = Some(request::influences(&mode, &kept, &mut request, low));
     }
     model.synthesis = {
-        let given = (&mode.declared.constants[..], mode.asked.condition.take(), &mode.linkage);
-        synthesis::read(scene, &model, given, low)
+        let asked = (mode.asked.condition.take(), std::mem::take(&mut mode.asked.squares));
+        synthesis::read(scene, &model, (&mode.declared.constants, &mode.linkage), asked, low)
     };
     synthesis::check_modes(&model, modes, low);
     let kinds = &mode.asked.measures.kinds;

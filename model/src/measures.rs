@@ -33,6 +33,20 @@ impl Measures {
         self.kinds.iter().map(|kind| *kind == Kind::Any).collect()
     }
 
+    /// Adds one.
+    pub fn add(
+        &mut self,
+        quantity: QuantityInfo,
+        kind: Kind,
+        value: Expression,
+        low: &Lowering<'_>,
+    ) {
+        self.uses.push(uses(low, value));
+        self.quantities.push(quantity);
+        self.kinds.push(kind);
+        self.values.push(value);
+    }
+
     /// What the tables say of them.
     pub fn info(&self) -> Vec<MeasureInfo> {
         let all = self.quantities.iter().zip(&self.uses);
@@ -77,19 +91,10 @@ pub fn read(
         }
         let name = &measure.name.text;
         let described = quantity(name, &measure.summary, &unit.dimension, &unit);
-        let symbols = low.graph.symbols(&[value]);
-        let uses = symbols.into_iter().filter_map(|symbol| match symbol {
-            Symbol::Measured(index) => Some(index as usize),
-            _ => None,
-        });
-        let uses: Vec<usize> = uses.collect();
-        if !is_of(low, task, &uses, term) {
-            continue;
+        let uses = uses(low, value);
+        if is_of(low, task, &uses, term) {
+            measures.add(described, kind, value, low);
         }
-        measures.uses.push(uses);
-        measures.quantities.push(described);
-        measures.kinds.push(kind);
-        measures.values.push(value);
     }
     let found = std::mem::take(&mut low.measured);
     // What is found for measures of another task than this scene's is found for nobody.
@@ -98,6 +103,16 @@ pub fn read(
         measures.looked_at = found.looked_at;
     }
     measures
+}
+
+/// The primitives that a measure is made of.
+fn uses(low: &Lowering<'_>, value: Expression) -> Vec<usize> {
+    let symbols = low.graph.symbols(&[value]);
+    let uses = symbols.into_iter().filter_map(|symbol| match symbol {
+        Symbol::Measured(index) => Some(index as usize),
+        _ => None,
+    });
+    uses.collect()
 }
 
 /// Whether a measure is one of what the scene does.

@@ -8,11 +8,13 @@ mod solved;
 pub use solved::{Condition, read as condition};
 
 use crate::checked::{ConstantInfo, SceneModel, SynthesisInfo, VariedInfo};
+use crate::declare::quantity;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::Symbol;
 use crate::homogeneity::describe;
 use crate::linkage::Linkage;
 use crate::lower::{Kind, Lowering};
+use crate::measures::Measures;
 use crate::nearest::nearest;
 use crate::resolve::Names;
 use crate::syntax::print;
@@ -21,6 +23,7 @@ use crate::syntax::tree::{
 };
 use crate::token::Span;
 use crate::unit::{Dimension, Unit};
+use crate::unroll::target_name;
 
 /// Declares the measures that a scene makes small, and those by which it keeps its conditions, under their own texts.
 pub fn declare(scene: Option<&Scene>, names: &mut Names, diagnostics: &mut Diagnostics) {
@@ -74,11 +77,36 @@ fn margin(condition: &Term) -> Option<(Term, Option<UnitTerm>)> {
     Some((Term { span: condition.span, kind }, unit))
 }
 
+/// Adds the measures of whose squares what a scene makes small is the sum, and says which they are; none if it is no sum of
+/// squares. Polishing then knows each of them, where the sum alone hides how they change.
+pub fn squares(scene: &Scene, measures: &mut Measures, low: &mut Lowering<'_>) -> Vec<usize> {
+    let mut all = scene.items.iter().filter_map(|item| match item {
+        SceneItem::Minimise { what } => Some(what),
+        _ => None,
+    });
+    let Some(what) = all.next() else { return Vec::new() };
+    let (objective, is_named) = (sought(what), what.name.is_some());
+    let mut quantities = measures.quantities.iter();
+    let Some(index) = quantities.position(|one| one.name == objective) else { return Vec::new() };
+    let dimension = measures.kinds[index].dimension().pow(1, 2);
+    let terms = low.graph.squares(measures.values[index]);
+    let (Some(terms), Some(dimension)) = (terms, dimension) else { return Vec::new() };
+    let (unit, first) = (Unit::for_dimension(&dimension), measures.values.len());
+    let what = if is_named { objective.as_str() } else { "misfit" };
+    for (index, term) in terms.into_iter().enumerate() {
+        let text = format!("one of the numbers of whose squares {objective} is the sum");
+        let quantity = quantity(&format!("{what} {}", index + 1), &text, &dimension, &unit);
+        measures.add(quantity, Kind::Of(dimension), term, low);
+    }
+    (first..measures.values.len()).collect()
+}
+
 /// What a scene seeks, by all constants of the file; none if it seeks nothing, or something is wrong.
 pub fn read(
     scene: &Scene,
     model: &SceneModel,
-    (constants, condition, linkage): (&[Option<ConstantInfo>], Option<Condition>, &Linkage),
+    (constants, linkage): (&[Option<ConstantInfo>], &Linkage),
+    (condition, squares): (Option<Condition>, Vec<usize>),
     low: &mut Lowering<'_>,
 ) -> Option<SynthesisInfo> {
     let (mut varied, mut objectives) = (Vec::new(), Vec::new());
@@ -132,7 +160,7 @@ pub fn read(
         let info = bounds(one, constants, low)?;
         if all.iter().any(|other| other.name == info.name) {
             let message = format!("`{}` is varied twice", info.name);
-            low.diagnostics.push(Diagnostic::error(one.constant.span, message));
+            low.diagnostics.push(Diagnostic::error(info.place, message));
             return None;
         }
         all.push(info);
@@ -141,7 +169,7 @@ pub fn read(
         Some(condition) => Some(condition.solved(all.len(), linkage, low)?),
         None => None,
     };
-    Some(SynthesisInfo { varied: all, conditions, preferences, objective, solved })
+    Some(SynthesisInfo { varied: all, conditions, preferences, objective, squares, solved })
 }
 
 /// What a preference that is missed costs, per unit of what it is missed by: in the unit of what is made small.
@@ -193,7 +221,7 @@ fn report_without(
     conditions: &[(String, Span)],
     low: &mut Lowering<'_>,
 ) {
-    let first = varied.first().map(|one| one.constant.span);
+    let first = varied.first().map(|one| one.constant.name.span);
     let Some(place) = first.or(conditions.first().map(|one| one.1)) else {
         return;
     };
@@ -222,7 +250,7 @@ fn bounds(
     constants: &[Option<ConstantInfo>],
     low: &mut Lowering<'_>,
 ) -> Option<VariedInfo> {
-    let name = &one.constant;
+    let name = &target_name(&one.constant, low.diagnostics)?;
     let names = low.names;
     let known = || names.constants.iter().map(|constant| constant.name.text.as_str());
     let Some(index) = known().position(|constant| constant == name.text) else {

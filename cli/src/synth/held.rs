@@ -97,5 +97,7 @@ fn best(page: &mut Page, found: &Found, polish: &Polish) {
             String::new(),
         ]);
     }
-    page.section("What holds the first one", &table);
+    if !(polish.held.is_empty() && polish.bounds.is_empty()) {
+        page.section("What holds the first one", &table);
+    }
 }

@@ -97,6 +97,103 @@ fn the_counterweight_of_the_least_shaking_force() {
     assert!((value(&best["measures"], 0) - 190.083_925).abs() < 1e-4, "{best}");
 }
 
+/// The point of the coupler at a place where it has turned by some angle, of which each crank says something linear (the square of
+/// the exponential less one falls out): by how much the exponential is off the circle.
+fn off_circle(design: &[f64], [dx, dy]: [f64; 2]) -> f64 {
+    let crank = |c: &[f64]| {
+        let [ax, ay, x, y] = [c[0], c[1], c[2], c[3]];
+        let (wx, wy) = (dx - ax, dy - ay);
+        (
+            x * wx + y * wy,
+            x * wy - y * wx,
+            (dx * dx + dy * dy) / 2.0 + dx * (x - ax) + dy * (y - ay),
+        )
+    };
+    let ((r1, i1, s1), (r2, i2, s2)) = (crank(&design[..4]), crank(&design[4..8]));
+    let both = r1 * i2 - r2 * i1;
+    let (g, h) = ((i1 * s2 - i2 * s1) / both, (r2 * s1 - r1 * s2) / both);
+    (g + 1.0).hypot(h) - 1.0
+}
+
+/// Of the 192 real four-bars some, each verified by equations in which the angles of the coupler do not stand.
+#[test]
+fn four_bars_through_nine_points() {
+    const POINTS: [[f64; 2]; 9] = [
+        [0.25, 0.0],
+        [0.52, 0.10],
+        [0.80, 0.70],
+        [1.20, 1.00],
+        [1.40, 1.30],
+        [1.10, 1.48],
+        [0.70, 1.40],
+        [0.20, 1.00],
+        [0.02, 0.40],
+    ];
+    let effort = ["--scene", "through", "--searches", "60", "--evaluations", "6000"];
+    let found = sought("nine_points", &effort);
+    let designs = found["designs"].as_array().expect("a list");
+    let exact = designs.iter().filter(|one| one["worth"].as_f64().expect("a number") < 1e-20);
+    let mut distinct: Vec<Vec<f64>> = Vec::new();
+    for one in exact {
+        let mut design: Vec<f64> = (0..8).map(|index| value(&one["values"], index)).collect();
+        for [x, y] in &POINTS[1..] {
+            let off = off_circle(&design, [x - POINTS[0][0], y - POINTS[0][1]]);
+            assert!(off.abs() < 1e-9, "{off} {one}");
+        }
+        // Which of the cranks comes first makes no other mechanism.
+        if design[0] > design[4] {
+            design.rotate_left(4);
+        }
+        let is_like =
+            |other: &&Vec<f64>| other.iter().zip(&design).all(|(a, b)| (a - b).abs() < 1e-6);
+        if distinct.iter().find(is_like).is_none() {
+            distinct.push(design);
+        }
+    }
+    assert!(distinct.len() >= 5, "{distinct:?}");
+}
+
+#[test]
+fn a_path_with_its_timing() {
+    let found = sought("timed_path", &["--scene", "timed", "--evaluations", "2000"]);
+    let best = settled(&found, 6);
+    for (index, expected) in [2.0, 6.0, 5.0, 7.0, 3.0, 2.0].into_iter().enumerate() {
+        assert!((value(&best["values"], index) - expected).abs() < 1e-9, "{best}");
+    }
+}
+
+/// With a frame of one, a rocker `c` and its directions in the dead positions the crank is half the difference of the distances,
+/// the coupler half the sum. Of those in which the cranks there differ by what is asked for, the best.
+#[test]
+fn a_crank_rocker_with_swing_and_time_ratio() {
+    let found = sought("crank_rocker", &["--scene", "best", "--evaluations", "2000"]);
+    let best = settled(&found, 1);
+    let (swing, ahead) = (40f64.to_radians(), 15f64.to_radians());
+    let dead =
+        |psi: f64, c: f64| [psi, psi + swing].map(|psi| (1.0 + c * psi.cos(), c * psi.sin()));
+    let miss = |psi: f64, c: f64| {
+        let [(x, y), (u, v)] = dead(psi, c);
+        (x * v - y * u).atan2(x * u + y * v) - ahead
+    };
+    let cosine = |psi: f64| {
+        let (mut low, mut high) = (0.8, 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            let end = if miss(psi, middle) * miss(psi, low) > 0.0 { &mut low } else { &mut high };
+            *end = middle;
+        }
+        let [one, two] = dead(psi, low).map(|(x, y)| x.hypot(y));
+        let (a, b, c) = (0.5 * (one - two).abs(), 0.5 * (one + two), low);
+        let of = |a: f64| ((b * b + c * c - (1.0 - a).powi(2)) / (2.0 * b * c)).abs();
+        (of(a).max(of(-a)), a)
+    };
+    let psi = |k: i32| (205.0 + f64::from(k) / 1000.0).to_radians();
+    let all = (0..=10_000).map(|k| cosine(psi(k)));
+    let (least, crank) = all.fold((1.0, 0.0), |best, one| if one.0 < best.0 { one } else { best });
+    assert!((value(&best["measures"], 0) - least).abs() < 1e-6, "{least} {best}");
+    assert!((value(&best["values"], 0) - 100.0 * crank).abs() < 0.05, "{crank} {best}");
+}
+
 /// The rocker that stands still for 60 of 360 degrees: a certified best design after few random ones.
 #[test]
 fn a_dwell_comes_of_polishing() {

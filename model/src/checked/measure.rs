@@ -23,6 +23,8 @@ pub struct SynthesisInfo {
     pub preferences: Vec<(usize, f64)>,
     /// The measure that is made small.
     pub objective: usize,
+    /// The measures of whose squares it is the sum, if it is one.
+    pub squares: Vec<usize>,
     /// What follows from a condition while designs are sought.
     pub solved: Option<SolvedInfo>,
 }

@@ -25,6 +25,8 @@ pub struct Asked {
     pub measures: Measures,
     /// What constants follow from while designs are sought.
     pub condition: Option<Condition>,
+    /// The measures of whose squares what is made small is the sum.
+    pub squares: Vec<usize>,
     /// The task with its times.
     pub span: TaskValues,
     /// What is drawn.
@@ -52,6 +54,8 @@ impl Asked {
             }
             None => Measures::default(),
         };
+        let squares =
+            scene.map_or_else(Vec::new, |scene| synthesis::squares(scene, &mut measures, low));
         let condition =
             scene.and_then(|scene| synthesis::condition(scene, &mut measures.looked_at, low));
         let span = task(here, low);
@@ -67,6 +71,7 @@ impl Asked {
             literal,
             measures,
             condition,
+            squares,
             span,
             geometry,
             ranges,

@@ -20,6 +20,7 @@ mod polynomial;
 mod search;
 mod simplify;
 mod solve;
+mod squares;
 mod stable;
 mod support;
 

@@ -12,6 +12,7 @@ use crate::lower::Lowering;
 use crate::syntax::print;
 use crate::syntax::tree::{Among, Name, Scene, SceneItem, Varied};
 use crate::token::Span;
+use crate::unroll::target_name;
 
 /// A condition that constants follow from.
 pub struct Condition {
@@ -63,16 +64,17 @@ pub fn read(
     };
     let mut unknowns = Vec::new();
     for one in constants {
+        let name = target_name(&one.constant, low.diagnostics)?;
         // What is no constant is reported where it is varied.
         let mut known = low.names.constants.iter();
-        let index = known.position(|constant| constant.name.text == one.constant.text)?;
+        let index = known.position(|constant| constant.name.text == name.text)?;
         if matches!(one.among, Among::Values(_)) {
-            let message = format!("`{}` is solved for, and so has a range", one.constant.text);
-            let report = Diagnostic::error(one.constant.span, message);
+            let message = format!("`{}` is solved for, and so has a range", name.text);
+            let report = Diagnostic::error(name.span, message);
             low.diagnostics.push(report.hint("vary what is chosen from single values"));
             return None;
         }
-        unknowns.push((one.constant.clone(), index));
+        unknowns.push((name, index));
     }
     let symbols: Vec<Symbol> =
         unknowns.iter().map(|(_, index)| Symbol::Parameter(*index as u32)).collect();

@@ -43,6 +43,30 @@ fn preferences_cost_what_they_are_missed_by() {
     assert_eq!(found, [("l1 > 7 mm", 3f64.to_radians() * 1e3), ("swing < 1", 1.0)]);
 }
 
+/// A sum of squares is known term by term, however it is written; what is none stays one number.
+#[test]
+fn squares_are_known_one_by_one() {
+    let misfits = |small: &str| {
+        let scene = first_scene(&format!(
+            "Sample; for k in 1..2 {{ parameter x[k] = 1 m in 0 m .. 9 m, w[k] = 1 in 0 .. 9; }} \
+             let far = [x[1] - 1 m, x[2] - 2 m]; driver t in 0 .. 1; output y = t*x[1], apart = w[1]*w[2]*norm(far)*t; \
+             scene best {{ sweep t; vary x[1], x[2] in 0 m .. 5 m; minimise {small}; }}"
+        ));
+        let synthesis = scene.synthesis.expect("it seeks");
+        let names = synthesis.varied.iter().map(|one| one.name.as_str());
+        assert_eq!(names.collect::<Vec<_>>(), ["x[1]", "x[2]"]);
+        let all = synthesis.squares.iter().map(|index| &scene.measures[*index].quantity);
+        all.map(|one| format!("{} [{}]", one.name, one.unit)).collect::<Vec<_>>()
+    };
+    let two = |name: &str| vec![format!("{name} 1 [m]"), format!("{name} 2 [m]")];
+    assert_eq!(misfits("inner(far, far)"), two("misfit"));
+    assert_eq!(misfits("off = sum(k in 1..2, 3*(x[k] - k*1 m)^2)"), two("off"));
+    assert_eq!(misfits("2*(inner(far, far) + (x[1] - x[2])^4/(1 m)^2)").len(), 3);
+    assert_eq!(misfits("peak(y)^2"), ["misfit 1 [m]"]);
+    assert_eq!(misfits("x[1]^2 - x[2]^2"), [""; 0]);
+    assert_eq!(misfits("w[1]*x[1]^2"), [""; 0]);
+}
+
 #[test]
 fn a_constant_may_have_certain_values_only() {
     let scene = first_scene(&format!(

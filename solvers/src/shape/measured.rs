@@ -40,6 +40,8 @@ pub struct Synthesis {
     pub preferences: List<(usize, f64)>,
     /// The measure that is made small, by index.
     pub objective: usize,
+    /// The measures of whose squares it is the sum, by index; none if it is no such sum.
+    pub squares: List<usize>,
     /// What follows from a condition while designs are sought.
     pub solved: Option<Solved>,
 }

@@ -22,7 +22,7 @@ const BESIDE: f64 = 1e-4;
 /// What holds a design, each with its multiplier.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Certificate {
-    /// Values that are as large as the largest one. Of squares none is: all of them pull.
+    /// Values that are as large as the largest one. Of those that count by their squares none is: all of them pull.
     pub values: Vec<(usize, f64)>,
     /// Conditions of which nothing is left.
     pub conditions: Vec<(usize, f64)>,
@@ -57,9 +57,10 @@ pub fn certify(local: &mut dyn Local, aim: Aim, polished: &Polished) -> Option<C
 
     // Next to what is largest stand others, and how far away they are the multipliers do not say to the last digit.
     let count = here.values.len();
-    let largest = here.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let first = aim.parts(&here.values).0;
+    let largest = first.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let is_near = |index: usize| match index.checked_sub(count) {
-        None => aim == Aim::Squares || largest - here.values[index] <= NEAR * largest.abs(),
+        None => largest - here.values[index] <= NEAR * largest.abs(),
         Some(condition) => here.conditions[condition] <= NEAR,
     };
     let held = |range: std::ops::Range<usize>| -> Vec<(usize, f64)> {
@@ -68,7 +69,7 @@ pub fn certify(local: &mut dyn Local, aim: Aim, polished: &Polished) -> Option<C
         held.map(|index| (index - from, polished.multipliers[index])).collect()
     };
     let mut certificate = Certificate {
-        values: if aim == Aim::Largest { held(0..count) } else { Vec::new() },
+        values: held(0..first.len()),
         conditions: held(count..rows.len()),
         ..Certificate::default()
     };
@@ -83,9 +84,7 @@ pub fn certify(local: &mut dyn Local, aim: Aim, polished: &Polished) -> Option<C
     };
     let pull = |look: Option<Look>| -> Option<Vec<f64>> {
         let (look, mut multipliers) = (look?, polished.multipliers.clone());
-        if aim == Aim::Squares {
-            multipliers[..count].copy_from_slice(&look.values);
-        }
+        multipliers[first.len()..count].copy_from_slice(aim.parts(&look.values).1);
         Some(look.pull(&multipliers, n))
     };
     let mut columns = Vec::with_capacity(free.len());
@@ -104,26 +103,29 @@ impl Certificate {
     /// The directions, of length one, in which nothing that holds changes.
     fn free(&self, rows: &[&[f64]], values: usize) -> Vec<Vec<f64>> {
         let n = rows.first().map_or(0, |row| row.len());
-        let mut held: Vec<Vec<f64>> = Vec::new();
+        let length = |row: &[f64]| row.iter().map(|one| one * one).sum::<f64>().sqrt();
+        // Each with what its length compares with.
+        let mut held: Vec<(Vec<f64>, f64)> = Vec::new();
         if let Some(((first, _), others)) = self.values.split_first() {
-            // Values that fall together are no hold.
+            // Values that fall together are no hold, nor is what rounding leaves between two places that are one.
             let difference = |(other, _): &(usize, f64)| {
-                rows[*other].iter().zip(rows[*first]).map(|(a, b)| a - b).collect()
+                let row = rows[*other].iter().zip(rows[*first]).map(|(a, b)| a - b).collect();
+                (row, f64::max(length(rows[*other]), length(rows[*first])))
             };
             held.extend(others.iter().map(difference));
         }
-        held.extend(self.conditions.iter().map(|(index, _)| rows[values + index].to_vec()));
+        let conditions = self.conditions.iter().map(|(index, _)| rows[values + index]);
+        held.extend(conditions.map(|row| (row.to_vec(), length(row))));
         for (index, _) in &self.bounds {
             let mut row = vec![0.0; n];
             row[*index] = 1.0;
-            held.push(row);
+            held.push((row, 1.0));
         }
         // A square matrix has all directions among its singular vectors.
         let mut matrix = DMatrix::zeros(held.len().max(n), n);
-        for (index, row) in held.iter().enumerate() {
-            let length = row.iter().map(|one| one * one).sum::<f64>().sqrt();
+        for (index, (row, length)) in held.iter().enumerate() {
             for (column, entry) in row.iter().enumerate() {
-                matrix[(index, column)] = if length > 0.0 { entry / length } else { 0.0 };
+                matrix[(index, column)] = if *length > 0.0 { entry / length } else { 0.0 };
             }
         }
         let factors = matrix.svd(false, true);

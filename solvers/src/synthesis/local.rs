@@ -1,14 +1,13 @@
 //! A design and its neighbours: values and conditions with their slopes.
 
+use super::curve::dot;
 use super::problem::Sought;
 
-/// What is to be small.
+/// What is to be small: the largest of some values, and half the sum of the squares of others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Aim {
-    /// The largest of the values.
-    Largest,
-    /// Half the sum of their squares.
-    Squares,
+pub struct Aim {
+    /// How many of the values, the last ones, count by their squares.
+    pub squares: usize,
 }
 
 /// What a design says, with slopes by each of its numbers.
@@ -44,16 +43,32 @@ pub trait Local {
 }
 
 impl Aim {
+    /// The largest of the values alone.
+    pub const LARGEST: Self = Self { squares: 0 };
+
+    /// The values of which the largest counts, and those that count by their squares. So it is with rows of slopes.
+    pub(super) fn parts<T>(self, values: &[T]) -> (&[T], &[T]) {
+        values.split_at(values.len() - self.squares)
+    }
+
     /// What is made small.
     pub(super) fn of(self, values: &[f64]) -> f64 {
-        match self {
-            Aim::Largest => values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-            Aim::Squares => 0.5 * values.iter().map(|value| value * value).sum::<f64>(),
-        }
+        let (first, squares) = self.parts(values);
+        let largest = first.iter().copied().reduce(f64::max).unwrap_or(0.0);
+        largest + 0.5 * squares.iter().map(|value| value * value).sum::<f64>()
     }
 }
 
 impl Look {
+    /// What slopes alone say of values and conditions after a step.
+    pub(super) fn along(&self, way: &[f64]) -> Self {
+        let rows = self.slopes.chunks_exact(way.len());
+        let all = self.values.iter().chain(&self.conditions).zip(rows);
+        let mut values: Vec<f64> = all.map(|(one, row)| one + dot(row, way)).collect();
+        let conditions = values.split_off(self.values.len());
+        Self { values, conditions, slopes: self.slopes.clone() }
+    }
+
     /// By how much the condition that is missed most is missed.
     pub(super) fn missed(&self) -> f64 {
         self.conditions.iter().fold(0.0, |most, one| f64::max(most, -one))

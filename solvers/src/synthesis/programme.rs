@@ -43,13 +43,9 @@ struct Units {
 impl Model<'_> {
     /// What values and conditions together cost after a step.
     pub fn cost(&self, way: &[f64]) -> f64 {
-        let rows = self.look.slopes.chunks_exact(way.len());
-        let all = self.look.values.iter().chain(&self.look.conditions);
-        let all: Vec<f64> = all.zip(rows).map(|(one, row)| one + dot(row, way)).collect();
-        let (values, conditions) = all.split_at(self.look.values.len());
-        let missed = conditions.iter().fold(0.0, |most, one| f64::max(most, -one));
+        let there = self.look.along(way);
         let bent = 0.5 * dot(way, &self.curve.times(way));
-        self.aim.of(values) + bent + self.weight * missed
+        self.aim.of(&there.values) + bent + self.weight * there.missed()
     }
 
     /// Slopes of the values, and of the conditions.
@@ -69,8 +65,9 @@ impl Model<'_> {
     fn objective(&self, slopes: &[&[f64]]) -> (Vec<f64>, Vec<(usize, usize, f64)>) {
         let (n, area) = (self.room.len(), self.region * self.region);
         let (mut linear, mut quadratic) = (vec![0.0; n], Vec::new());
-        let squares = if self.aim == Aim::Squares { slopes } else { &[] };
-        for (value, slope) in self.look.values.iter().zip(squares) {
+        let (_, values) = self.aim.parts(&self.look.values);
+        let (_, squares) = self.aim.parts(slopes);
+        for (value, slope) in values.iter().zip(squares) {
             for (linear, slope) in linear.iter_mut().zip(*slope) {
                 *linear += value * slope * self.region;
             }
@@ -101,15 +98,15 @@ impl Model<'_> {
         linear.iter_mut().for_each(|one| *one /= units.objective);
         quadratic.iter_mut().for_each(|one| one.2 /= units.objective);
         let (largest, worst) = (n, n + 1);
-        let is_largest = self.aim == Aim::Largest;
-        linear.push(f64::from(u8::from(is_largest)));
+        let (first, squares) = self.aim.parts(values);
+        linear.push(f64::from(u8::from(!first.is_empty())));
         linear.push(self.weight * units.condition / units.objective);
 
         let mut rows = Rows::default();
-        let now = self.aim.of(values);
+        let now = first.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let near = |value: &f64| now - value <= 2.0 * units.objective;
         let mut of_values: Vec<usize> = Vec::new();
-        for index in (0..values.len()).filter(|index| is_largest && near(&values[*index])) {
+        for index in (0..first.len()).filter(|index| near(&values[*index])) {
             // A value that is the same twice, slopes and all, is one.
             let is_same =
                 |other: &usize| values[*other] == values[index] && slopes[*other] == slopes[index];
@@ -122,7 +119,7 @@ impl Model<'_> {
             row.push((largest, 1.0));
             rows.row((now - values[index]) / units.objective, &row);
         }
-        if !is_largest {
+        if first.is_empty() {
             rows.row(0.0, &[(largest, 1.0)]);
         }
         let held = rows.count();
@@ -146,10 +143,9 @@ impl Model<'_> {
         let to = x[..n].iter().zip(self.room);
         let way: Vec<f64> = to.map(|(one, (down, up))| (one * region).clamp(*down, *up)).collect();
         let mut multipliers = vec![0.0; values.len() + conditions.len()];
-        if !is_largest {
-            for ((one, value), slope) in multipliers.iter_mut().zip(values).zip(&slopes) {
-                *one = value + dot(slope, &way);
-            }
+        let of_squares = multipliers[first.len()..].iter_mut().zip(squares);
+        for ((one, value), slope) in of_squares.zip(&slopes[first.len()..]) {
+            *one = value + dot(slope, &way);
         }
         for (&index, z) in of_values.iter().zip(&z) {
             multipliers[index] = *z;
@@ -178,10 +174,8 @@ impl Model<'_> {
         missed: f64,
     ) -> Option<Units> {
         let condition = self.reach(others).max(missed).max(f64::MIN_POSITIVE);
-        let first = match self.aim {
-            Aim::Largest => self.reach(slopes),
-            Aim::Squares => linear.iter().map(|one| one.abs()).sum(),
-        };
+        let of_squares: f64 = linear.iter().map(|one| one.abs()).sum();
+        let first = self.reach(self.aim.parts(slopes).0) + of_squares;
         let second = quadratic.iter().fold(0.0, |most, one| f64::max(most, one.2.abs()));
         let objective = match first.max(second) {
             0.0 => self.weight * condition,

@@ -43,6 +43,9 @@ pub(super) struct Stand {
     /// Of what conditions miss.
     weight: f64,
     curve: Curve,
+    /// Whether what is learnt of the curvature of squares tells more than their slopes do, as it does where they stay large
+    /// (J. E. Dennis, D. M. Gay, R. E. Welsch: *An adaptive nonlinear least-squares algorithm*, 1981).
+    is_bent: bool,
     /// How the neighbourhood is bent, with the steps that were taken since that was looked at.
     bends: Option<(Bends, u64)>,
     /// Steps that were taken, and that failed after the last one that was.
@@ -60,6 +63,7 @@ impl Stand {
         Self {
             weight: here.steepness(count),
             curve: Curve::new(count),
+            is_bent: false,
             place,
             here,
             region,
@@ -73,13 +77,22 @@ impl Stand {
 
     /// The size of what is made small.
     fn size(&self, aim: Aim) -> f64 {
-        let size = match aim {
-            Aim::Largest => {
-                self.here.values.iter().fold(0.0, |most, one| f64::max(most, one.abs()))
-            }
-            Aim::Squares => aim.of(&self.here.values),
-        };
-        size.max(1e-300)
+        let (first, squares) = aim.parts(&self.here.values);
+        let largest = first.iter().fold(0.0, |most, one| f64::max(most, one.abs()));
+        let squares: f64 = squares.iter().map(|value| value * value).sum();
+        (largest + 0.5 * squares).max(1e-300)
+    }
+
+    /// What the squares come to where nothing but the rounding of the design is left of them.
+    fn rounding(&self, aim: Aim) -> f64 {
+        let count = self.place.len();
+        let rows: Vec<&[f64]> = self.here.slopes.chunks_exact(count).collect();
+        let (_, squares) = aim.parts(&rows[..self.here.values.len()]);
+        let each = squares.iter().map(|row| {
+            let steep: f64 = row.iter().map(|slope| slope.abs()).sum();
+            0.5 * (f64::EPSILON * steep).powi(2)
+        });
+        each.sum()
     }
 
     fn go(&mut self, step: &Step, there: Look) {
@@ -157,7 +170,7 @@ impl Way<'_> {
         let (size, before) = (stand.size(self.aim), self.worth(&stand.here, weight));
         let promised = before - after;
         stand.last = Some(step.clone());
-        if promised <= GAIN * size {
+        if promised <= GAIN * size + stand.rounding(self.aim) {
             // In a wide region small gains are lost in what the programme rounds, and within a small one nothing can be gained,
             // wherever it lies.
             let is_decided = region == WIDE || stand.is_judged;
@@ -174,6 +187,12 @@ impl Way<'_> {
         let is_taken = share >= BELIEVED;
         let is_rounding = share < SHARES.0 && promised <= TRUSTED * size;
         let is_settled = is_rounding && (region >= WIDE || length < 0.5 * region);
+        if let Some(there) = tried.as_ref().filter(|_| self.is_squares(stand)) {
+            let actual = self.aim.of(&there.values);
+            let straight = self.aim.of(&stand.here.along(&step.way).values);
+            let bent = straight + 0.5 * dot(&step.way, &stand.curve.times(&step.way));
+            stand.is_bent = (actual - bent).abs() < (actual - straight).abs();
+        }
         stand.failed += 1;
         if let Some(there) = tried.filter(|_| is_taken) {
             // What is heavier than it needs to be makes steps along bent conditions short.
@@ -184,6 +203,11 @@ impl Way<'_> {
             stand.go(&step, there);
         }
         is_settled.then_some(End::Settled)
+    }
+
+    /// Whether nothing but squares is made small. Their slopes say most of how they are bent.
+    fn is_squares(&self, stand: &Stand) -> bool {
+        self.aim.squares == stand.here.values.len()
     }
 
     /// A step, and what is expected of it. Where it is known how the neighbourhood is bent, the best of its quadratics.
@@ -201,8 +225,12 @@ impl Way<'_> {
         {
             stand.curve = curve;
         }
-        let (look, curve, region) = (&stand.here, &stand.curve, stand.region);
-        let model = Model { aim, look, curve, room: &room, region, weight };
+        let curve = match stand.is_bent || !self.is_squares(stand) {
+            true => stand.curve.clone(),
+            false => Curve::new(stand.place.len()),
+        };
+        let (look, region) = (&stand.here, stand.region);
+        let model = Model { aim, look, curve: &curve, room: &room, region, weight };
         let step = model.solve()?;
         let after = model.cost(&step.way);
         Some((step, after))
@@ -260,7 +288,7 @@ impl Way<'_> {
             .bends
             .as_ref()
             .is_some_and(|(_, age)| *age == 0 || (*age < AGE.0 && stand.failed < AGE.1));
-        if !self.may_bend || stand.taken < PATIENCE || is_known {
+        if !self.may_bend || self.is_squares(stand) || stand.taken < PATIENCE || is_known {
             return;
         }
         let count = stand.place.len();

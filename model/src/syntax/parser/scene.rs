@@ -158,9 +158,9 @@ impl Parser<'_> {
         Ok(SweepRange { driver, range })
     }
 
-    /// `L1`, `L1 in 3 mm .. 20 mm` or `mode in {-1, 1}`
+    /// `L1`, `theta[2]`, `L1 in 3 mm .. 20 mm` or `mode in {-1, 1}`
     fn varied(&mut self) -> Read<Varied> {
-        let constant = self.path("a dimension or parameter")?;
+        let constant = self.declared("a dimension or parameter")?;
         let among = if !self.take_word("in") {
             Among::Permitted
         } else if self.take_open('{') {

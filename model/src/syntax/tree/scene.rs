@@ -63,7 +63,7 @@ pub enum SceneItem {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Varied {
     /// The constant.
-    pub constant: Name,
+    pub constant: Target,
     /// From what.
     pub among: Among,
 }

@@ -138,6 +138,7 @@ impl Scene {
 
 fn varied(constants: &mut [Varied], visitor: &mut dyn Visitor) {
     for one in constants {
+        visitor.target(&mut one.constant);
         match &mut one.among {
             Among::Permitted => {}
             Among::Range(from, to) => pair((from, to), visitor),

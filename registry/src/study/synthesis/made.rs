@@ -24,7 +24,7 @@ impl Design<'_> {
         if places.is_empty() {
             return None;
         }
-        let wanted = [(self.synthesis.objective, Sense::Smallest)];
+        let wanted = [(self.synthesis.objective, Some(Sense::Smallest))];
         let facets = linkage.facets(linkage.way()?, places, &wanted).ok()?;
         let found = facets.of(&*linkage).ok()?;
         let worst = |facet: &Facet| {

@@ -1,5 +1,7 @@
 //! The neighbours of a design, as polishing sees them.
 
+use std::f64::consts::SQRT_2;
+
 use super::Design;
 use crate::registry::Bind;
 use assur_solvers::closure::{AnyLinkage, Facet, Facets};
@@ -46,8 +48,9 @@ impl<'a> Neighbours<'a> {
         let mut own = Self { design, from, moved, sought, facets, scales, is_stopped };
         let mut numbers: Vec<f64> = own.moved.iter().map(|index| own.from[*index]).collect();
         let all = own.facets_of(&numbers)?;
-        own.scales = all[1..].iter().map(|facets| own.reach(facets)).collect();
-        for (facets, reach) in all.iter().skip(1).zip(&own.scales).skip(own.conditions()) {
+        let others = &all[design.small().len()..];
+        own.scales = others.iter().map(|facets| own.reach(facets)).collect();
+        for (facets, reach) in others.iter().zip(&own.scales).skip(own.conditions()) {
             let missed = missed(facets);
             own.sought.push(Sought::between(0.0, missed + reach));
             numbers.push(missed);
@@ -124,7 +127,7 @@ impl<'a> Neighbours<'a> {
             Some(ahead.iter().zip(behind).map(|(a, b)| (a - b) / way).collect::<Vec<f64>>())
         });
         let slopes: Vec<Vec<f64>> = beside.collect::<Option<_>>()?;
-        let facet = |(measure, _): (usize, Sense)| {
+        let facet = |(measure, _): (usize, Option<Sense>)| {
             let slopes = slopes.iter().map(|all| all[measure]).collect();
             vec![Facet { at: None, value: here[measure], slopes }]
         };
@@ -158,15 +161,28 @@ impl Local for Neighbours<'_> {
 
     fn look(&mut self, numbers: &[f64]) -> Option<Look> {
         let all = self.facets_of(numbers)?;
-        let (first, others) = all.split_first()?;
+        let (first, others) = all.split_at(self.design.small().len());
         let preferences = self.design.synthesis.preferences;
         let missed = &numbers[self.moved.len()..];
         let costs: Vec<f64> = preferences.iter().map(|one| one.1).collect();
         let cost: f64 = costs.iter().zip(missed).map(|(cost, missed)| cost * missed).sum();
         let mut look = Look::default();
-        for facet in first {
-            look.values.push(facet.value + cost);
-            look.slopes.extend(facet.slopes.iter().chain(&costs));
+        if self.design.synthesis.squares.is_empty() {
+            for facet in first.concat() {
+                look.values.push(facet.value + cost);
+                look.slopes.extend(facet.slopes.iter().chain(&costs));
+            }
+        } else {
+            if !costs.is_empty() {
+                look.values.push(cost);
+                look.slopes.extend(std::iter::repeat_n(&0.0, self.moved.len()).chain(&costs));
+            }
+            // Half their squares count.
+            for facet in first.concat() {
+                look.values.push(SQRT_2 * facet.value);
+                look.slopes.extend(facet.slopes.iter().map(|slope| SQRT_2 * slope));
+                look.slopes.extend(costs.iter().map(|_| 0.0));
+            }
         }
         for (index, (facets, scale)) in others.iter().zip(&self.scales).enumerate() {
             let preference = index.checked_sub(self.conditions());

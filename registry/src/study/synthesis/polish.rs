@@ -115,17 +115,19 @@ impl Design<'_> {
     /// Polishes a design; none where it cannot be judged.
     fn polished(&self, from: &[f64], is_stopped: &dyn Fn() -> bool) -> Option<(Polish, Vec<f64>)> {
         let (mut neighbours, from) = Neighbours::of(self, from, is_stopped)?;
-        let polished = polish(&mut neighbours, Aim::Largest, &from, LOOKS).ok()?;
-        let (polished, certificate) = beyond_saddles(&mut neighbours, polished)?;
+        let polished = polish(&mut neighbours, self.aim(), &from, LOOKS).ok()?;
+        let (polished, certificate) = beyond_saddles(&mut neighbours, self.aim(), polished)?;
         let all = neighbours.facets_of(&polished.design)?;
-        let (first, others) = all.split_first()?;
+        let (first, others) = all.split_at(self.small().len());
         let held = |index: usize, multiplier: f64| Held {
             measure: self.synthesis.objective,
-            at: first[summit(first, index)].at,
+            at: first[0][summit(&first[0], index)].at,
             multiplier,
         };
-        let objective =
-            certificate.values.iter().map(|(index, multiplier)| held(*index, *multiplier));
+        // Squares hold nothing one by one.
+        let is_largest = self.synthesis.squares.is_empty();
+        let objective = certificate.values.iter().filter(|_| is_largest);
+        let objective = objective.map(|(index, multiplier)| held(*index, *multiplier));
         let wanted = self.wanted();
         // The rows of conditions are those of all facets, one condition after the other.
         let rows = others.iter().enumerate();
@@ -133,7 +135,7 @@ impl Design<'_> {
             rows.flat_map(|(k, facets)| (0..facets.len()).map(move |place| (k, place))).collect();
         let conditions = certificate.conditions.iter().map(|(index, multiplier)| {
             let (k, place) = rows[*index];
-            let (measure, at) = (wanted[k + 1].0, others[k][place].at);
+            let (measure, at) = (wanted[first.len() + k].0, others[k][place].at);
             Held { measure, at, multiplier: multiplier / neighbours.scale(k) }
         });
         // Several parts of the way may stand for one place.
@@ -162,21 +164,36 @@ impl Design<'_> {
         Some((polish, neighbours.whole(&polished.design)))
     }
 
-    /// What is made small, then the conditions and the preferences, each with the sense in which it is good.
-    pub(super) fn wanted(&self) -> Vec<(usize, Sense)> {
+    /// What is made small: one measure, or those of whose squares it is the sum.
+    pub(super) fn small(&self) -> &[usize] {
+        match self.synthesis.squares {
+            [] => std::slice::from_ref(&self.synthesis.objective),
+            squares => squares,
+        }
+    }
+
+    fn aim(&self) -> Aim {
+        Aim { squares: self.synthesis.squares.len() }
+    }
+
+    /// What is made small, then the conditions and the preferences, each with the sense in which it is good; squares have
+    /// none.
+    pub(super) fn wanted(&self) -> Vec<(usize, Option<Sense>)> {
         let preferences = self.synthesis.preferences.iter().map(|one| &one.0);
         let margins = self.synthesis.conditions.iter().chain(preferences);
-        let first = (self.synthesis.objective, Sense::Smallest);
-        std::iter::once(first).chain(margins.map(|one| (*one, Sense::Largest))).collect()
+        let sense = self.synthesis.squares.is_empty().then_some(Sense::Smallest);
+        let first = self.small().iter().map(|one| (*one, sense));
+        first.chain(margins.map(|one| (*one, Some(Sense::Largest)))).collect()
     }
 }
 
 /// Goes on from where a design is level, but something better lies farther on in some direction.
 fn beyond_saddles(
     neighbours: &mut Neighbours<'_>,
+    aim: Aim,
     mut best: Polished,
 ) -> Option<(Polished, Certificate)> {
-    let mut certificate = certify(neighbours, Aim::Largest, &best)?;
+    let mut certificate = certify(neighbours, aim, &best)?;
     for _ in 0..SADDLES {
         if best.end != End::Settled || !certificate.curvature.is_some_and(|one| one < 0.0) {
             break;
@@ -189,7 +206,7 @@ fn beyond_saddles(
                 one.within(number + sign * FARTHER * part * one.width(), *number)
             });
             let beside: Vec<f64> = beside.collect();
-            let Ok(other) = polish(neighbours, Aim::Largest, &beside, LOOKS) else { continue };
+            let Ok(other) = polish(neighbours, aim, &beside, LOOKS) else { continue };
             looks += other.looks;
             let before = found.as_ref().unwrap_or(&best);
             let gain = before.value - other.value;
@@ -201,7 +218,7 @@ fn beyond_saddles(
             Some(other) => best = Polished { looks, ..other },
             None => break,
         }
-        certificate = certify(neighbours, Aim::Largest, &best)?;
+        certificate = certify(neighbours, aim, &best)?;
     }
     Some((best, certificate))
 }

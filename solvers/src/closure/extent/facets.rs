@@ -52,8 +52,8 @@ pub struct Facets {
 }
 
 impl Facets {
-    /// Of measures, each with the sense in which it is good, along a way of a linkage. The constants stand with the widths of
-    /// their ranges. Linkages that are asked about later have as many facets.
+    /// Of measures, each with the sense in which it is good, along a way of a linkage. One without a sense is given as it is, by one
+    /// facet. The constants stand with the widths of their ranges. Linkages that are asked about later have as many facets.
     ///
     /// # Errors
     /// Why the linkage does not get through its way.
@@ -61,7 +61,7 @@ impl Facets {
         linkage: &dyn AnyLinkage,
         along: Along,
         constants: Vec<(usize, f64)>,
-        measures: &[(usize, Sense)],
+        measures: &[(usize, Option<Sense>)],
     ) -> Result<Self, ClosureError> {
         let mut facets = Self {
             along,
@@ -73,8 +73,9 @@ impl Facets {
         let primitives = linkage.shape().primitives.iter();
         let stretches = primitives.map(|primitive| facets.stretches(linkage, primitive.window));
         facets.stretches = stretches.collect::<Result<_, _>>()?;
-        let spread =
-            measures.iter().map(|(measure, sense)| facets.spread(linkage, *measure, *sense));
+        let spread = measures.iter().map(|(measure, sense)| {
+            sense.map_or_else(Vec::new, |sense| facets.spread(linkage, *measure, sense))
+        });
         facets.spread = spread.collect();
         Ok(facets)
     }
@@ -120,17 +121,21 @@ impl Facets {
     /// Why the linkage does not get through its way.
     pub fn of(&self, linkage: &dyn AnyLinkage) -> Result<Vec<Vec<Facet>>, ClosureError> {
         let known = self.look(linkage)?;
+        let plain = known.measures(None);
         let all = self.measures.iter().zip(&self.spread);
-        Ok(all.map(|(measure, spread)| self.of_measure(*measure, spread, &known)).collect())
+        let all = all.map(|(measure, spread)| match spread.is_empty() {
+            true => vec![plain.facet(*measure, None)],
+            false => Self::of_measure(*measure, spread, &known),
+        });
+        Ok(all.collect())
     }
 
-    fn of_measure(&self, measure: usize, spread: &[usize], known: &Known) -> Vec<Facet> {
-        if spread.is_empty() {
-            return vec![known.facet(measure, None)];
-        }
+    fn of_measure(measure: usize, spread: &[usize], known: &Known) -> Vec<Facet> {
         let each = spread.iter().flat_map(|primitive| {
             let places = known.places[*primitive].iter();
-            places.map(|place| known.facet(measure, Some((*primitive, place))))
+            places.map(|place| {
+                known.measures(Some((*primitive, place))).facet(measure, Some(place.at))
+            })
         });
         each.collect()
     }

@@ -158,11 +158,21 @@ impl Facets {
     }
 }
 
+/// All measures, with how they change: for each constant.
+pub(super) struct Measured(Vec<Vec<Dual>>);
+
+impl Measured {
+    /// One of them, at a place of its extreme.
+    pub fn facet(&self, measure: usize, at: Option<f64>) -> Facet {
+        let value = self.0.first().map_or(f64::NAN, |all| all[measure].value);
+        Facet { at, value, slopes: self.0.iter().map(|all| all[measure].slope).collect() }
+    }
+}
+
 impl Known {
-    /// A measure, as if an extreme lay at a place.
-    pub fn facet(&self, measure: usize, extreme: Option<(usize, &Place)>) -> Facet {
-        let mut value = f64::NAN;
-        let slopes = self.loops.iter().enumerate().map(|(column, loops)| {
+    /// The measures, as if an extreme lay at a place.
+    pub fn measures(&self, extreme: Option<(usize, &Place)>) -> Measured {
+        let each = self.loops.iter().enumerate().map(|(column, loops)| {
             let all = self.found.iter().zip(&self.slopes);
             let mut found: Vec<Dual> =
                 all.map(|(value, slopes)| Dual { value: *value, slope: slopes[column] }).collect();
@@ -171,10 +181,8 @@ impl Known {
             }
             let mut measures = vec![Dual::ZERO; loops.shape().measures.len()];
             loops.measures(&found, &mut measures);
-            value = measures[measure].value;
-            measures[measure].slope
+            measures
         });
-        let slopes = slopes.collect();
-        Facet { at: extreme.map(|(_, place)| place.at), value, slopes }
+        Measured(each.collect())
     }
 }

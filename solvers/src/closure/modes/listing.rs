@@ -130,7 +130,7 @@ impl dyn AnyLinkage + '_ {
         &self,
         along: Along,
         constants: Vec<(usize, f64)>,
-        measures: &[(usize, Sense)],
+        measures: &[(usize, Option<Sense>)],
     ) -> Result<Facets, ClosureError> {
         Facets::new(self, along, constants, measures)
     }

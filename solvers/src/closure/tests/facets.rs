@@ -7,14 +7,14 @@ use std::f64::consts::TAU;
 
 /// The swing and the largest cosine, which are to be small, the swing as what is to be large, the mean; and what is found where a
 /// condition holds, once of the crank alone, once of the rocker, and where that begins or ends to hold.
-const WANTED: [(usize, Sense); 7] = [
-    (0, Sense::Smallest),
-    (1, Sense::Smallest),
-    (0, Sense::Largest),
-    (2, Sense::Largest),
-    (3, Sense::Smallest),
-    (4, Sense::Smallest),
-    (5, Sense::Smallest),
+const WANTED: [(usize, Option<Sense>); 7] = [
+    (0, Some(Sense::Smallest)),
+    (1, Some(Sense::Smallest)),
+    (0, Some(Sense::Largest)),
+    (2, Some(Sense::Largest)),
+    (3, Some(Sense::Smallest)),
+    (4, Some(Sense::Smallest)),
+    (5, Some(Sense::Smallest)),
 ];
 
 fn facets(linkage: &dyn AnyLinkage) -> Vec<Vec<Facet>> {

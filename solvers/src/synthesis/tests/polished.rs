@@ -50,7 +50,7 @@ fn the_polynomial_that_deviates_least() {
         (values, Vec::new(), slopes)
     };
     let (found, held) =
-        certified(vec![Sought::between(-3.0, 3.0); 5], Aim::Largest, &[0.1; 5], look);
+        certified(vec![Sought::between(-3.0, 3.0); 5], Aim::LARGEST, &[0.1; 5], look);
     // Six places hold five numbers in all directions.
     assert_eq!((held.values.len(), held.free, held.curvature), (6, 0, None));
     assert!((16.0 * found.value - 1.0).abs() < 1e-9, "{found:?}");
@@ -81,7 +81,7 @@ fn where_fewer_values_meet_than_there_are_numbers_and_one() {
         (values, Vec::new(), slopes)
     };
     let (found, held) =
-        certified(vec![Sought::between(-10.0, 10.0); 2], Aim::Largest, &[2.0, 2.0], look);
+        certified(vec![Sought::between(-10.0, 10.0); 2], Aim::LARGEST, &[2.0, 2.0], look);
     assert_eq!((held.values.len(), held.free), (2, 1));
     assert!(held.curvature.is_some_and(|curvature| curvature > 1.0), "{held:?}");
     assert!((found.value - 1.952_224_493_8).abs() < 1e-9, "{found:?}");
@@ -114,7 +114,7 @@ fn conditions_hold_with_their_multipliers() {
     };
     for from in [[0.0; 4], [3.0, -2.0, 4.0, 1.0]] {
         let (found, held) =
-            certified(vec![Sought::between(-10.0, 10.0); 4], Aim::Largest, &from, look);
+            certified(vec![Sought::between(-10.0, 10.0); 4], Aim::LARGEST, &from, look);
         let conditions: Vec<usize> = held.conditions.iter().map(|one| one.0).collect();
         assert_eq!((conditions, held.free), (vec![0, 2], 2));
         assert!(held.curvature.is_some_and(|curvature| curvature > 1.0), "{held:?}");
@@ -126,6 +126,42 @@ fn conditions_hold_with_their_multipliers() {
             assert!((found - expected).abs() < 1e-3, "{found} {expected}");
         }
     }
+}
+
+/// Rosenbrock's valley, once by its two squares and once as the number that they add up to: that one learns slowly how the valley
+/// bends, and where it ends nothing is left that slopes could tell.
+#[test]
+fn squares_tell_more_than_their_sum() {
+    let sought = || vec![Sought::between(-2.0, 2.0); 2];
+    let parts =
+        |x: &[f64]| ([10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]], [-20.0 * x[0], 10.0, -1.0, 0.0]);
+    let from = [-1.2, 1.0];
+    let (found, held) = certified(sought(), Aim { squares: 2 }, &from, |x| {
+        let (values, slopes) = parts(x);
+        (values.to_vec(), Vec::new(), slopes.to_vec())
+    });
+    assert!(found.design.iter().all(|one| (one - 1.0).abs() < 1e-12), "{found:?}");
+    assert!(held.free == 2 && held.curvature.is_some_and(|one| one > 0.0), "{held:?}");
+    let whole = |x: &[f64]| {
+        let ([a, b], slopes) = parts(x);
+        let value = 0.5 * (a * a + b * b);
+        (vec![value], Vec::new(), vec![a * slopes[0] + b * slopes[2], a * slopes[1]])
+    };
+    let mut problem = Problem { sought: sought(), look: whole };
+    let whole = polish(&mut problem, Aim::LARGEST, &from, 300).expect("it can be judged");
+    assert!(found.looks * 2 < whole.looks, "{} {}", found.looks, whole.looks);
+}
+
+/// `|x - 1| + (x - 3)²/2` is least at 2.
+#[test]
+fn the_largest_of_some_and_squares_of_others() {
+    let look = |x: &[f64]| {
+        let x = x[0];
+        (vec![x - 1.0, 1.0 - x, x - 3.0], Vec::new(), vec![1.0, -1.0, 1.0])
+    };
+    let (found, _) = certified(vec![Sought::between(0.0, 10.0)], Aim { squares: 1 }, &[9.0], look);
+    assert!((found.design[0] - 2.0).abs() < 1e-6, "{found:?}");
+    assert!((found.value - 1.5).abs() < 1e-12, "{found:?}");
 }
 
 /// The kinetics of Kowalik and Osborne (1968), least squares whose rest is not zero.
@@ -145,7 +181,8 @@ fn least_squares() {
         (values, Vec::new(), slopes)
     };
     let from = [0.25, 0.39, 0.415, 0.39];
-    let (found, held) = certified(vec![Sought::between(-1.0, 1.0); 4], Aim::Squares, &from, look);
+    let (found, held) =
+        certified(vec![Sought::between(-1.0, 1.0); 4], Aim { squares: Y.len() }, &from, look);
     assert_eq!((held.values.len(), held.free), (0, 4));
     assert!(held.curvature.is_some_and(|curvature| curvature > 0.0), "{held:?}");
     assert!((2.0 * found.value / 3.075_056_038_492e-4 - 1.0).abs() < 1e-9, "{found:?}");
@@ -162,7 +199,7 @@ fn at_a_bound() {
         )
     };
     let sought = vec![Sought::between(-1.0, 1.0), Sought::between(-1.0, 1.0)];
-    let (found, held) = certified(sought, Aim::Largest, &[-0.5, 0.7], look);
+    let (found, held) = certified(sought, Aim::LARGEST, &[-0.5, 0.7], look);
     // Along the bound `y²` curves, over a range of 2.
     assert_eq!((held.bounds.len(), held.bounds[0].0, held.free), (1, 0, 1));
     assert!((held.curvature.expect("one direction is free") - 8.0).abs() < 1e-3);
@@ -176,7 +213,7 @@ fn a_saddle_is_told() {
     let look =
         |x: &[f64]| (vec![x[0].powi(2) - x[1].powi(2)], Vec::new(), vec![2.0 * x[0], -2.0 * x[1]]);
     let sought = vec![Sought::between(-1.0, 1.0), Sought::between(-1.0, 1.0)];
-    let (found, held) = certified(sought, Aim::Largest, &[0.5, 0.0], look);
+    let (found, held) = certified(sought, Aim::LARGEST, &[0.5, 0.0], look);
     assert!(found.design.iter().all(|one| one.abs() < 1e-6), "{found:?}");
     assert!((held.curvature.expect("both directions are free") + 8.0).abs() < 1e-3, "{held:?}");
     assert!(held.direction[0].abs() < 1e-6 && (held.direction[1].abs() - 1.0).abs() < 1e-6);
@@ -187,7 +224,7 @@ fn a_saddle_is_told() {
 fn wrong_slopes_are_told() {
     let look = |x: &[f64]| (vec![x[0].powi(2)], Vec::new(), vec![-2.0 * x[0]]);
     let sought = vec![Sought::between(-1.0, 1.0)];
-    let found = polish(&mut Problem { sought, look }, Aim::Largest, &[0.5], 300).expect("judged");
+    let found = polish(&mut Problem { sought, look }, Aim::LARGEST, &[0.5], 300).expect("judged");
     assert_eq!(found.end, End::Stuck, "{found:?}");
 }
 
@@ -196,14 +233,14 @@ fn what_cannot_be_judged_is_refused() {
     let look = |_: &[f64]| (vec![f64::NAN], Vec::new(), vec![1.0]);
     let sought = vec![Sought::between(-1.0, 1.0)];
     let mut problem = Problem { sought, look };
-    let found = polish(&mut problem, Aim::Largest, &[0.5], 300);
+    let found = polish(&mut problem, Aim::LARGEST, &[0.5], 300);
     assert_eq!(found.unwrap_err(), SynthesisError::NotJudged);
-    let found = polish(&mut problem, Aim::Largest, &[0.5, 0.5], 300);
+    let found = polish(&mut problem, Aim::LARGEST, &[0.5, 0.5], 300);
     assert_eq!(found.unwrap_err(), SynthesisError::OtherProblem { found: 2, expected: 1 });
     // A row of slopes is missing.
     let look = |_: &[f64]| (vec![1.0, 2.0], Vec::new(), vec![1.0]);
     let mut problem = Problem { sought: vec![Sought::between(-1.0, 1.0)], look };
-    let found = polish(&mut problem, Aim::Largest, &[0.5], 300);
+    let found = polish(&mut problem, Aim::LARGEST, &[0.5], 300);
     assert_eq!(found.unwrap_err(), SynthesisError::NotJudged);
 }
 
@@ -232,7 +269,7 @@ fn a_flat_valley_between_wide_bounds_is_followed_to_its_end() {
     };
     for from in [[0.336_155_582_7, -0.078_341_529_26], [0.4, -0.1], [3.0, -1.0]] {
         let (found, held) =
-            certified(vec![Sought::between(-200.0, 200.0); 2], Aim::Largest, &from, look);
+            certified(vec![Sought::between(-200.0, 200.0); 2], Aim::LARGEST, &from, look);
         // By a simplex method, each extreme from the roots of the polynomial.
         assert!((found.value - 4.381_904_404_688_14).abs() < 1e-11, "{found:?}");
         assert_eq!(held.free, 1, "{held:?}");
