@@ -23,6 +23,7 @@ mod search;
 mod tests;
 #[cfg(feature = "synthesis")]
 mod way;
+mod working;
 
 #[cfg(feature = "synthesis")]
 pub use certificate::{Certificate, certify};

@@ -2,6 +2,7 @@
 
 use super::curve::{Curve, dot};
 use super::local::{Aim, Look};
+use super::working::Working;
 use crate::conic::{Rows, minimise};
 use clarabel::solver::NonnegativeConeT;
 
@@ -49,16 +50,21 @@ impl Model<'_> {
     }
 
     /// Slopes of the values, and of the conditions.
-    fn slopes(&self) -> (Vec<&[f64]>, Vec<&[f64]>) {
+    pub fn slopes(&self) -> (Vec<&[f64]>, Vec<&[f64]>) {
         let mut rows: Vec<&[f64]> = self.look.slopes.chunks_exact(self.room.len()).collect();
         let conditions = rows.split_off(self.look.values.len());
         (rows, conditions)
     }
 
-    /// How much one of these may change at most.
-    fn reach(&self, slopes: &[&[f64]]) -> f64 {
+    /// How much each of these may change within the region.
+    pub fn reaches(&self, slopes: &[&[f64]]) -> Vec<f64> {
         let sums = slopes.iter().map(|row| row.iter().map(|slope| slope.abs()).sum::<f64>());
-        self.region * sums.fold(0.0, f64::max)
+        sums.map(|sum| self.region * sum).collect()
+    }
+
+    /// How much one of them may change at most.
+    fn reach(&self, slopes: &[&[f64]]) -> f64 {
+        self.reaches(slopes).into_iter().fold(0.0, f64::max)
     }
 
     /// Linear and quadratic part of what is made small by a step over the region, besides the largest value.
@@ -85,10 +91,21 @@ impl Model<'_> {
     }
 
     /// The step that makes this least; none if the programme has no solution.
+    pub fn solve(&self) -> Option<Step> {
+        let mut working = Working::new(self);
+        loop {
+            let (step, largest) = self.solved(&working)?;
+            if !working.extend(self, &step, largest) {
+                return Some(step);
+            }
+        }
+    }
+
+    /// The step for some of the rows, with what the largest value comes to by it.
     ///
     /// The unknowns are the step over the region, and the changes of the largest value and of what is missed over how much
-    /// they may change. Rows that nothing within the region can reach are left out.
-    pub fn solve(&self) -> Option<Step> {
+    /// they may change.
+    fn solved(&self, working: &Working) -> Option<(Step, f64)> {
         let (n, region) = (self.room.len(), self.region);
         let (values, conditions) = (&self.look.values, &self.look.conditions);
         let (slopes, others) = self.slopes();
@@ -104,17 +121,7 @@ impl Model<'_> {
 
         let mut rows = Rows::default();
         let now = first.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let near = |value: &f64| now - value <= 2.0 * units.objective;
-        let mut of_values: Vec<usize> = Vec::new();
-        for index in (0..first.len()).filter(|index| near(&values[*index])) {
-            // A value that is the same twice, slopes and all, is one.
-            let is_same =
-                |other: &usize| values[*other] == values[index] && slopes[*other] == slopes[index];
-            if !of_values.iter().any(is_same) {
-                of_values.push(index);
-            }
-        }
-        for &index in &of_values {
+        for &index in working.values() {
             let mut row = scaled(slopes[index], -region / units.objective);
             row.push((largest, 1.0));
             rows.row((now - values[index]) / units.objective, &row);
@@ -123,10 +130,7 @@ impl Model<'_> {
             rows.row(0.0, &[(largest, 1.0)]);
         }
         let held = rows.count();
-        let near = |condition: &f64| condition + missed <= 2.0 * units.condition;
-        let of_conditions: Vec<usize> =
-            (0..conditions.len()).filter(|index| near(&conditions[*index])).collect();
-        for &index in &of_conditions {
+        for &index in working.conditions() {
             let mut row = scaled(others[index], region / units.condition);
             row.push((worst, 1.0));
             rows.row((conditions[index] + missed) / units.condition, &row);
@@ -147,22 +151,23 @@ impl Model<'_> {
         for ((one, value), slope) in of_squares.zip(&slopes[first.len()..]) {
             *one = value + dot(slope, &way);
         }
-        for (&index, z) in of_values.iter().zip(&z) {
+        for (&index, z) in working.values().iter().zip(&z) {
             multipliers[index] = *z;
         }
-        for (&index, z) in of_conditions.iter().zip(&z[held..]) {
+        for (&index, z) in working.conditions().iter().zip(&z[held..]) {
             multipliers[values.len() + index] = z * units.objective / units.condition;
         }
         let at_bound = |k: usize| {
             let [up, down] = [z[bounds + 2 * k], z[bounds + 2 * k + 1]];
             (up - down) * units.objective / region
         };
-        Some(Step {
+        let step = Step {
             multipliers,
             bounds: (0..n).map(at_bound).collect(),
             missed: (x[worst] * units.condition + missed).max(0.0),
             way,
-        })
+        };
+        Some((step, now + x[largest] * units.objective))
     }
 
     /// The sizes of what may change; none where nothing does, or something is no number.
