@@ -85,7 +85,7 @@ pub struct Settings {
     /// Absolute tolerances of the states in SI units, in their order; `rtol` times the scale of the state where none is
     /// given or the list has ended.
     pub atol: Vec<Option<f64>>,
-    /// Most steps of an integration, rejected ones included; ten million unless given.
+    /// Most steps of an integration, rejected ones included; five million unless given.
     pub max_steps: Option<usize>,
     /// Length of the first step of an integration, in seconds; found from the rates unless given.
     pub first_step: Option<f64>,

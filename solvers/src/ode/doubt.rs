@@ -1,7 +1,7 @@
 //! Whether an explicit method will ever get to the end.
 //!
 //! A stiff motion holds its steps where it is only just stable, and millions of them lead nowhere. After many steps the
-//! fastest rate of change is measured in some that follow each other. Where the steps that are left are more than a tenth of those
+//! fastest rate of change is measured in some that follow each other. Where the steps that are left are more than a fifth of those
 //! that are permitted, and most that were measured are held by that rate, the integration ends and says so. Not all: what swings at
 //! the border of stability is at times so small that the rate cannot be measured.
 
@@ -16,7 +16,7 @@ const MOST: usize = MEASURED / 2;
 /// tolerances, whose error estimate feels the border first, from 0.4 up.
 const HELD: f64 = 0.25;
 /// The share of the steps that are permitted which may be held.
-const SHARE: f64 = 0.1;
+const SHARE: f64 = 0.2;
 
 /// What has been measured.
 pub(crate) struct Doubt {

@@ -117,7 +117,7 @@ impl Default for Options {
             atol: AbsoluteTolerance::Same(1e-8),
             first_step: None,
             max_step: None,
-            max_steps: 10_000_000,
+            max_steps: 5_000_000,
             fixed_step: None,
         }
     }

@@ -11,6 +11,8 @@ use super::programme::{Model, Step};
 const FARTHEST: f64 = 0.5;
 /// A region, as a part of each range, in which something can be gained unless a design is the best.
 const WIDE: f64 = 1e-6;
+/// Roundings over the ranges to which values are known.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 /// A gain that counts as none, over the value.
 const GAIN: f64 = 1e-13;
 /// What is promised over the value, and does not come true though the region would permit more, is what slopes are rounded by.
@@ -83,14 +85,14 @@ impl Stand {
         (largest + 0.5 * squares).max(1e-300)
     }
 
-    /// What the squares come to where nothing but the rounding of the design is left of them.
+    /// What the squares come to where nothing but rounding is left of them.
     fn rounding(&self, aim: Aim) -> f64 {
         let count = self.place.len();
         let rows: Vec<&[f64]> = self.here.slopes.chunks_exact(count).collect();
         let (_, squares) = aim.parts(&rows[..self.here.values.len()]);
         let each = squares.iter().map(|row| {
             let steep: f64 = row.iter().map(|slope| slope.abs()).sum();
-            0.5 * (f64::EPSILON * steep).powi(2)
+            0.5 * (ROUNDINGS * steep).powi(2)
         });
         each.sum()
     }

@@ -138,9 +138,13 @@ impl<'a> Walk<'a> {
         let motion = Motion::without_states(0, (sign * from, sign * to), parts);
         let (walk, stopped) = (RefCell::new(self), RefCell::new(None));
         let sample = |_: Phase<'_, f64>, at: f64, _: &[f64], values: &mut [f64]| {
-            if let Err(error) = walk.borrow_mut().look(sign * at, values) {
+            // Once it does not get there all is lost, and to find out how much takes long.
+            let mut stopped = stopped.borrow_mut();
+            if stopped.is_none() {
+                *stopped = walk.borrow_mut().look(sign * at, values).err();
+            }
+            if stopped.is_some() {
                 values.fill(f64::NAN);
-                stopped.borrow_mut().get_or_insert(error);
             }
         };
         let found = find(&motion, &sample);
