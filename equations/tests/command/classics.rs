@@ -48,6 +48,57 @@ fn the_straightest_crank_rocker_is_chebyshevs() {
     assert!(modes.contains(&1.0) && modes.contains(&-1.0), "{modes:?}");
 }
 
+/// The joint of a coupler that begins at `a` and a rocker about `c`, of these lengths, on the left of the way from the one to the
+/// other or on the right.
+fn joint(a: [f64; 2], c: [f64; 2], [coupler, rocker]: [f64; 2], side: f64) -> [f64; 2] {
+    let (x, y) = (c[0] - a[0], c[1] - a[1]);
+    let square = x * x + y * y;
+    let along = (square + coupler * coupler - rocker * rocker) / (2.0 * square);
+    let across = side * (coupler * coupler / square - along * along).sqrt();
+    [a[0] + along * x - across * y, a[1] + along * y + across * x]
+}
+
+/// Hoeken's ratios are those of Chebyshev's mechanism in small whole numbers.
+#[test]
+fn hoekens_linkage_is_nearly_chebyshevs() {
+    let found = sought("straight_line", &["--scene", "hoeken", "--evaluations", "400"]);
+    let path = |k: i32| {
+        let phi = f64::from(k) / 20_000.0 * std::f64::consts::PI - std::f64::consts::FRAC_PI_2;
+        let a = [-10.0 * phi.cos(), -10.0 * phi.sin()];
+        let b = joint(a, [20.0, 0.0], [25.0, 25.0], 1.0);
+        [2.0 * b[0] - a[0], 2.0 * b[1] - a[1]]
+    };
+    let all: Vec<[f64; 2]> = (0..=20_000).map(path).collect();
+    let heights = all.iter().map(|one| one[1]);
+    let (low, high) =
+        heights.fold((f64::MAX, f64::MIN), |(low, high), y| (low.min(y), high.max(y)));
+    let travel: f64 = all.windows(2).map(|pair| (pair[1][0] - pair[0][0]).abs()).sum();
+    let deviation = 0.5 * (high - low) / travel;
+    let best = settled(&found, 0);
+    assert!((value(&best["measures"], 0) - deviation).abs() < 1e-8, "{deviation} {best}");
+    assert!(deviation > 2.7 * 0.000_446_25);
+}
+
+/// Four errors of equal size with alternating signs hold three numbers.
+#[test]
+fn watts_linkage() {
+    let found = sought("watt", &["--scene", "best", "--evaluations", "2000"]);
+    let best = settled(&found, 0);
+    let [d, h, x0] = [0, 1, 2].map(|index| value(&best["values"], index));
+    let error = |k: i32| {
+        let phi = (f64::from(k) / 400.0 - 25.0).to_radians();
+        let a = [100.0 * phi.cos(), 100.0 * phi.sin()];
+        0.5 * (a[0] + joint(a, [d, h], [60.0, 100.0], -1.0)[0]) - x0
+    };
+    let errors: Vec<f64> = (0..=20_000).map(error).collect();
+    let largest = errors.iter().fold(0.0, |most: f64, one| most.max(one.abs()));
+    assert!((1e-3 * largest - value(&best["measures"], 0)).abs() < 1e-10, "{largest} {best}");
+    let mut signs: Vec<f64> =
+        errors.iter().filter(|one| one.abs() > 0.9999 * largest).copied().collect();
+    signs.dedup_by(|a, b| *a * *b > 0.0);
+    assert!(signs.len() >= 4, "{signs:?}");
+}
+
 /// Four errors of equal size with alternating signs hold three lengths, so that none are better (Chebyshev's theorem). Those that
 /// have no error at three points with Chebyshev's spacing err by 0.1017 degrees.
 #[test]
