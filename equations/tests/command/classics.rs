@@ -273,6 +273,23 @@ fn preferences_are_kept_where_that_is_worth_it() {
     }
 }
 
+/// Where errors are balanced their squares have corners, so that steps by squares alone end before.
+#[test]
+fn squares_of_largest_errors() {
+    let directory = folder("classics_squares");
+    let text = "assur::mechanism! { Lines from \"made up\"; parameter a = 0 in -2 .. 2, b = 0 in -2 .. 2; driver x in 0 .. 1; \
+                output y = a + b*x; \
+                scene best { sweep x; vary a, b; minimise peak(abs(x - a))^2 + peak(abs(2*x - b))^2; } }";
+    std::fs::write(directory.join("lines.eqn"), text).expect("the folder is writable");
+    let all = ["synth", "lines.eqn", "--format", "json", "--evaluations", "400"];
+    let found: Value = serde_json::from_str(&answer(&all, &directory)).expect("one object");
+    let best = &found["designs"][0];
+    for (index, expected) in [0.5, 1.0].into_iter().enumerate() {
+        assert!((value(&best["values"], index) - expected).abs() < 1e-7, "{best}");
+    }
+    assert!((value(&best["measures"], 0) - 1.25).abs() < 1e-7, "{best}");
+}
+
 /// No example has a mistake, those either that no other test runs.
 #[test]
 fn all_examples_are_sound() {

@@ -6,7 +6,7 @@ use super::Design;
 use crate::registry::Bind;
 use assur_solvers::closure::{AnyLinkage, Facet, Facets};
 use assur_solvers::measure::Sense;
-use assur_solvers::synthesis::{Local, Look, Sought};
+use assur_solvers::synthesis::{Aim, Local, Look, Sought};
 
 /// Conditions are kept by so much more than they have to be, over what they change by within the ranges: what a measure says of
 /// them is not exact either.
@@ -20,6 +20,8 @@ const BESIDE: f64 = 1e-4;
 /// where it begins to be missed is one of conditions.
 pub(super) struct Neighbours<'a> {
     design: &'a Design<'a>,
+    /// Whether what is made small is known by the squares that it is the sum of.
+    squares: bool,
     /// The design that they are neighbours of.
     from: Vec<f64>,
     /// The numbers that may have any value, by their places among those that are varied.
@@ -37,6 +39,7 @@ impl<'a> Neighbours<'a> {
     /// Those of a design, and the numbers of that; none where it cannot be judged.
     pub(super) fn of(
         design: &'a Design<'a>,
+        squares: bool,
         from: &[f64],
         is_stopped: &'a dyn Fn() -> bool,
     ) -> Option<(Self, Vec<f64>)> {
@@ -45,10 +48,10 @@ impl<'a> Neighbours<'a> {
         let moved: Vec<usize> = moved.collect();
         let sought = moved.iter().map(|index| design.sought[*index]).collect();
         let (from, facets, scales) = (from.to_vec(), None, Vec::new());
-        let mut own = Self { design, from, moved, sought, facets, scales, is_stopped };
+        let mut own = Self { design, squares, from, moved, sought, facets, scales, is_stopped };
         let mut numbers: Vec<f64> = own.moved.iter().map(|index| own.from[*index]).collect();
         let all = own.facets_of(&numbers)?;
-        let others = &all[design.small().len()..];
+        let others = &all[own.small().len()..];
         own.scales = others.iter().map(|facets| own.reach(facets)).collect();
         for (facets, reach) in others.iter().zip(&own.scales).skip(own.conditions()) {
             let missed = missed(facets);
@@ -56,6 +59,31 @@ impl<'a> Neighbours<'a> {
             numbers.push(missed);
         }
         Some((own, numbers))
+    }
+
+    /// What is made small: one measure, or those of whose squares it is the sum.
+    pub(super) fn small(&self) -> &'a [usize] {
+        let synthesis = &self.design.synthesis;
+        match self.squares {
+            true => synthesis.squares,
+            false => std::slice::from_ref(&synthesis.objective),
+        }
+    }
+
+    /// How it is made of them.
+    pub(super) fn aim(&self) -> Aim {
+        Aim { squares: if self.squares { self.small().len() } else { 0 } }
+    }
+
+    /// What is made small, then the conditions and the preferences, each with the sense in which it is good; squares have
+    /// none.
+    pub(super) fn wanted(&self) -> Vec<(usize, Option<Sense>)> {
+        let synthesis = self.design.synthesis;
+        let preferences = synthesis.preferences.iter().map(|one| &one.0);
+        let margins = synthesis.conditions.iter().chain(preferences);
+        let sense = (!self.squares).then_some(Sense::Smallest);
+        let first = self.small().iter().map(|one| (*one, sense));
+        first.chain(margins.map(|one| (*one, Some(Sense::Largest)))).collect()
     }
 
     fn conditions(&self) -> usize {
@@ -94,13 +122,13 @@ impl<'a> Neighbours<'a> {
 
     fn of_linkage(&mut self, linkage: &dyn AnyLinkage) -> Option<Vec<Vec<Facet>>> {
         let way = linkage.way()?;
-        let design = self.design;
+        let (design, wanted) = (self.design, self.wanted());
         let facets = match &mut self.facets {
             Some(facets) => facets,
             none => {
                 let varied = self.moved.iter().map(|index| &design.synthesis.varied[*index]);
                 let constants = varied.map(|one| (one.constant, one.to - one.from)).collect();
-                none.insert(linkage.facets(way, constants, &design.wanted()).ok()?)
+                none.insert(linkage.facets(way, constants, &wanted).ok()?)
             }
         };
         facets.of(linkage).ok()
@@ -131,7 +159,7 @@ impl<'a> Neighbours<'a> {
             let slopes = slopes.iter().map(|all| all[measure]).collect();
             vec![Facet { at: None, value: here[measure], slopes }]
         };
-        Some(self.design.wanted().into_iter().map(facet).collect())
+        Some(self.wanted().into_iter().map(facet).collect())
     }
 
     /// The slopes of the steepest facet in units of the ranges, all together; one where there are none.
@@ -161,13 +189,13 @@ impl Local for Neighbours<'_> {
 
     fn look(&mut self, numbers: &[f64]) -> Option<Look> {
         let all = self.facets_of(numbers)?;
-        let (first, others) = all.split_at(self.design.small().len());
+        let (first, others) = all.split_at(self.small().len());
         let preferences = self.design.synthesis.preferences;
         let missed = &numbers[self.moved.len()..];
         let costs: Vec<f64> = preferences.iter().map(|one| one.1).collect();
         let cost: f64 = costs.iter().zip(missed).map(|(cost, missed)| cost * missed).sum();
         let mut look = Look::default();
-        if self.design.synthesis.squares.is_empty() {
+        if !self.squares {
             for facet in first.concat() {
                 look.values.push(facet.value + cost);
                 look.slopes.extend(facet.slopes.iter().chain(&costs));

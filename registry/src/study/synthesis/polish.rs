@@ -7,8 +7,7 @@ use super::neighbours::{INWARD, Neighbours};
 use super::{Candidate, Design};
 use crate::study::each;
 use assur_solvers::closure::Facet;
-use assur_solvers::measure::Sense;
-use assur_solvers::synthesis::{Aim, Certificate, End, Local, Polished, certify, polish};
+use assur_solvers::synthesis::{Certificate, End, Local, Polished, certify, polish};
 
 /// What a polished design may lose by that, over its value.
 const LOSS: f64 = 1e-6;
@@ -114,21 +113,44 @@ impl Design<'_> {
 
     /// Polishes a design; none where it cannot be judged.
     fn polished(&self, from: &[f64], is_stopped: &dyn Fn() -> bool) -> Option<(Polish, Vec<f64>)> {
-        let (mut neighbours, from) = Neighbours::of(self, from, is_stopped)?;
-        let polished = polish(&mut neighbours, self.aim(), &from, LOOKS).ok()?;
-        let (polished, certificate) = beyond_saddles(&mut neighbours, self.aim(), polished)?;
+        let is_sum = !self.synthesis.squares.is_empty();
+        let found = is_sum.then(|| self.polished_by(true, from, is_stopped)).flatten();
+        // The square of an extreme has corners where two places are as far out: there its places have to be known.
+        match found {
+            Some((polish, design)) if polish.end == End::Stuck => {
+                let again = self.polished_by(false, &design, is_stopped);
+                let again = again.map(|(other, design)| {
+                    (Polish { looks: polish.looks + other.looks, ..other }, design)
+                });
+                again.or(Some((polish, design)))
+            }
+            Some(found) => Some(found),
+            None => self.polished_by(false, from, is_stopped),
+        }
+    }
+
+    /// Polishes a design by the squares of which what is made small is the sum, or by all places of its extremes.
+    fn polished_by(
+        &self,
+        squares: bool,
+        from: &[f64],
+        is_stopped: &dyn Fn() -> bool,
+    ) -> Option<(Polish, Vec<f64>)> {
+        let (mut neighbours, from) = Neighbours::of(self, squares, from, is_stopped)?;
+        let aim = neighbours.aim();
+        let polished = polish(&mut neighbours, aim, &from, LOOKS).ok()?;
+        let (polished, certificate) = beyond_saddles(&mut neighbours, polished)?;
         let all = neighbours.facets_of(&polished.design)?;
-        let (first, others) = all.split_at(self.small().len());
+        let (first, others) = all.split_at(neighbours.small().len());
         let held = |index: usize, multiplier: f64| Held {
             measure: self.synthesis.objective,
             at: first[0][summit(&first[0], index)].at,
             multiplier,
         };
         // Squares hold nothing one by one.
-        let is_largest = self.synthesis.squares.is_empty();
-        let objective = certificate.values.iter().filter(|_| is_largest);
+        let objective = certificate.values.iter().filter(|_| !squares);
         let objective = objective.map(|(index, multiplier)| held(*index, *multiplier));
-        let wanted = self.wanted();
+        let wanted = neighbours.wanted();
         // The rows of conditions are those of all facets, one condition after the other.
         let rows = others.iter().enumerate();
         let rows: Vec<_> =
@@ -163,36 +185,14 @@ impl Design<'_> {
         };
         Some((polish, neighbours.whole(&polished.design)))
     }
-
-    /// What is made small: one measure, or those of whose squares it is the sum.
-    pub(super) fn small(&self) -> &[usize] {
-        match self.synthesis.squares {
-            [] => std::slice::from_ref(&self.synthesis.objective),
-            squares => squares,
-        }
-    }
-
-    fn aim(&self) -> Aim {
-        Aim { squares: self.synthesis.squares.len() }
-    }
-
-    /// What is made small, then the conditions and the preferences, each with the sense in which it is good; squares have
-    /// none.
-    pub(super) fn wanted(&self) -> Vec<(usize, Option<Sense>)> {
-        let preferences = self.synthesis.preferences.iter().map(|one| &one.0);
-        let margins = self.synthesis.conditions.iter().chain(preferences);
-        let sense = self.synthesis.squares.is_empty().then_some(Sense::Smallest);
-        let first = self.small().iter().map(|one| (*one, sense));
-        first.chain(margins.map(|one| (*one, Some(Sense::Largest)))).collect()
-    }
 }
 
 /// Goes on from where a design is level, but something better lies farther on in some direction.
 fn beyond_saddles(
     neighbours: &mut Neighbours<'_>,
-    aim: Aim,
     mut best: Polished,
 ) -> Option<(Polished, Certificate)> {
+    let aim = neighbours.aim();
     let mut certificate = certify(neighbours, aim, &best)?;
     for _ in 0..SADDLES {
         if best.end != End::Settled || !certificate.curvature.is_some_and(|one| one < 0.0) {
