@@ -12,6 +12,7 @@ mod gallery;
 mod language;
 mod linkages;
 mod modes;
+mod paths;
 mod questions;
 mod record;
 mod refusals;

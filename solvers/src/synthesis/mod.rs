@@ -19,6 +19,7 @@ mod problem;
 #[cfg(feature = "synthesis")]
 mod programme;
 mod search;
+mod stand;
 #[cfg(test)]
 mod tests;
 #[cfg(feature = "synthesis")]

@@ -11,7 +11,8 @@
 
 use super::local::{Aim, Local};
 use super::problem::{SynthesisError, check};
-use super::way::{Stand, Way};
+use super::stand::Stand;
+use super::way::Way;
 
 /// First step, as a part of each range.
 const REGION: f64 = 0.02;

@@ -1,4 +1,4 @@
-//! The way of a polishing: where it stands, and one step after the other.
+//! The way of a polishing: one step after the other.
 
 use super::bent::{Bends, Bent};
 use super::curve::{Curve, dot};
@@ -6,13 +6,12 @@ use super::local::{Aim, Local, Look};
 use super::polish::{End, Polished};
 use super::problem::Sought;
 use super::programme::{Model, Step};
+use super::stand::Stand;
 
 /// Largest step, as a part of each range.
 const FARTHEST: f64 = 0.5;
 /// A region, as a part of each range, in which something can be gained unless a design is the best.
 const WIDE: f64 = 1e-6;
-/// Roundings over the ranges to which values are known.
-const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 /// A gain that counts as none, over the value.
 const GAIN: f64 = 1e-13;
 /// What is promised over the value, and does not come true though the region would permit more, is what slopes are rounded by.
@@ -35,85 +34,6 @@ const BESIDE: f64 = 1e-5;
 const AT_BOUND: f64 = 1e-6;
 /// What of a change of conditions counts as none.
 const NOTHING: f64 = 1e-6;
-
-/// Where a polishing stands.
-pub(super) struct Stand {
-    /// In units of the ranges.
-    pub place: Vec<f64>,
-    pub here: Look,
-    pub region: f64,
-    /// Of what conditions miss.
-    weight: f64,
-    curve: Curve,
-    /// Whether what is learnt of the curvature of squares tells more than their slopes do, as it does where they stay large
-    /// (J. E. Dennis, D. M. Gay, R. E. Welsch: *An adaptive nonlinear least-squares algorithm*, 1981).
-    is_bent: bool,
-    /// How the neighbourhood is bent, with the steps that were taken since that was looked at.
-    bends: Option<(Bends, u64)>,
-    /// Steps that were taken, and that failed after the last one that was.
-    taken: u64,
-    failed: u64,
-    /// Whether it was seen that nothing is promised here.
-    is_judged: bool,
-    /// The last step that was proposed.
-    last: Option<Step>,
-}
-
-impl Stand {
-    pub fn new(place: Vec<f64>, here: Look, region: f64) -> Self {
-        let count = place.len();
-        Self {
-            weight: here.steepness(count),
-            curve: Curve::new(count),
-            is_bent: false,
-            place,
-            here,
-            region,
-            bends: None,
-            taken: 0,
-            failed: 0,
-            is_judged: false,
-            last: None,
-        }
-    }
-
-    /// The size of what is made small.
-    fn size(&self, aim: Aim) -> f64 {
-        let (first, squares) = aim.parts(&self.here.values);
-        let largest = first.iter().fold(0.0, |most, one| f64::max(most, one.abs()));
-        let squares: f64 = squares.iter().map(|value| value * value).sum();
-        (largest + 0.5 * squares).max(1e-300)
-    }
-
-    /// What the squares come to where nothing but rounding is left of them.
-    fn rounding(&self, aim: Aim) -> f64 {
-        let count = self.place.len();
-        let rows: Vec<&[f64]> = self.here.slopes.chunks_exact(count).collect();
-        let (_, squares) = aim.parts(&rows[..self.here.values.len()]);
-        let each = squares.iter().map(|row| {
-            let steep: f64 = row.iter().map(|slope| slope.abs()).sum();
-            0.5 * (ROUNDINGS * steep).powi(2)
-        });
-        each.sum()
-    }
-
-    fn go(&mut self, step: &Step, there: Look) {
-        let count = self.place.len();
-        let [old, new] = [&self.here, &there].map(|look| look.pull(&step.multipliers, count));
-        let change: Vec<f64> = new.iter().zip(old).map(|(new, old)| new - old).collect();
-        self.curve.learn(&step.way, &change);
-        for (place, way) in self.place.iter_mut().zip(&step.way) {
-            *place += way;
-        }
-        if let Some((bends, age)) = &mut self.bends {
-            bends.learn(&step.way, &self.here, &there);
-            *age += 1;
-        }
-        self.here = there;
-        (self.taken, self.failed) = (self.taken + 1, 0);
-        self.is_judged = false;
-    }
-}
 
 /// What does not change on the way.
 pub(super) struct Way<'a> {
@@ -189,7 +109,7 @@ impl Way<'_> {
         let is_taken = share >= BELIEVED;
         let is_rounding = share < SHARES.0 && promised <= TRUSTED * size;
         let is_settled = is_rounding && (region >= WIDE || length < 0.5 * region);
-        if let Some(there) = tried.as_ref().filter(|_| self.is_squares(stand)) {
+        if let Some(there) = tried.as_ref().filter(|_| stand.is_squares(self.aim)) {
             let actual = self.aim.of(&there.values);
             let straight = self.aim.of(&stand.here.along(&step.way).values);
             let bent = straight + 0.5 * dot(&step.way, &stand.curve.times(&step.way));
@@ -207,11 +127,6 @@ impl Way<'_> {
         is_settled.then_some(End::Settled)
     }
 
-    /// Whether nothing but squares is made small. Their slopes say most of how they are bent.
-    fn is_squares(&self, stand: &Stand) -> bool {
-        self.aim.squares == stand.here.values.len()
-    }
-
     /// A step, and what is expected of it. Where it is known how the neighbourhood is bent, the best of its quadratics.
     fn proposed(&mut self, stand: &mut Stand) -> Option<(Step, f64)> {
         let (aim, room, weight) = (self.aim, self.room(stand), stand.weight);
@@ -227,7 +142,7 @@ impl Way<'_> {
         {
             stand.curve = curve;
         }
-        let curve = match stand.is_bent || !self.is_squares(stand) {
+        let curve = match stand.is_bent || !stand.is_squares(self.aim) {
             true => stand.curve.clone(),
             false => Curve::new(stand.place.len()),
         };
@@ -290,7 +205,7 @@ impl Way<'_> {
             .bends
             .as_ref()
             .is_some_and(|(_, age)| *age == 0 || (*age < AGE.0 && stand.failed < AGE.1));
-        if !self.may_bend || self.is_squares(stand) || stand.taken < PATIENCE || is_known {
+        if !self.may_bend || stand.is_squares(self.aim) || stand.taken < PATIENCE || is_known {
             return;
         }
         let count = stand.place.len();
