@@ -19,11 +19,13 @@ mod problem;
 #[cfg(feature = "synthesis")]
 mod programme;
 mod search;
+#[cfg(feature = "synthesis")]
 mod stand;
 #[cfg(test)]
 mod tests;
 #[cfg(feature = "synthesis")]
 mod way;
+#[cfg(feature = "synthesis")]
 mod working;
 
 #[cfg(feature = "synthesis")]
