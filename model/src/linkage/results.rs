@@ -13,6 +13,9 @@ use crate::unit::Unit;
 /// Most second derivatives that are written out. Beyond, and for outputs that are derivatives themselves, dual numbers
 /// find them.
 const MOST_SECOND: usize = 200;
+/// Most nodes of the first derivatives of which second ones are written out, and most of these: they are asked for where made
+/// dimensions err to second order, and what is longer would take more time to compile than it ever saves.
+const LONGEST: (usize, usize) = (1000, 5000);
 
 impl Linkage {
     /// Everything but the influence coefficients. Outputs of `request` are put in terms of single angles.
@@ -189,18 +192,22 @@ impl Linkage {
         let triangle = variables.len() * (variables.len() + 1) / 2;
         if triangle * request.results.outputs.len() > MOST_SECOND
             || request.results.outputs.iter().any(derived)
+            || graph.reachable(&request.results.closing.influence).len() > LONGEST.0
         {
             return;
         }
         let directions = directions(graph, slopes, &symbols);
         let columns = columns(graph, &request.results.outputs, &directions);
+        let mut second = Vec::new();
         for output in 0..request.results.outputs.len() {
             for (row, column) in columns.iter().enumerate() {
                 for direction in &directions[..=row] {
-                    let second = graph.tangent(&[column[output]], direction);
-                    request.results.closing.second.extend(second);
+                    second.extend(graph.tangent(&[column[output]], direction));
                 }
             }
+        }
+        if graph.reachable(&second).len() <= LONGEST.1 {
+            request.results.closing.second = second;
         }
     }
 
