@@ -223,8 +223,14 @@ fn a_light_table_is_stiff() {
         let settings = Settings::new(Method::Dop853).rtol(1e-6);
         Moved::at(Table1::with(&[("J2", inertia)]), 0.02, &settings).motion.statistics.evaluations
     };
-    let (usual, light) = (evaluations(5e-4), evaluations(5e-10));
+    let (usual, light) = (evaluations(5e-4), evaluations(5e-9));
     assert!(usual < 3000 && light > 1_000_000, "{usual} {light}");
+    // Ten times as many steps are not begun.
+    let drive = Table1::with(&[("J2", 5e-10)]);
+    let explicit = Settings::new(Method::Dop853).rtol(1e-6);
+    let refused = march(&drive, (0.0, 0.02), &drive.start(), &explicit).map(|_| "it came out");
+    let refused = refused.expect_err("it is stiff").to_string();
+    assert!(refused.contains("the equations are stiff"), "{refused}");
     let slow = Moved::at(Table1::with(&[("J2", 5e-10)]), 0.02, &FINE_AND_STIFF);
     for method in [Method::Radau, Method::Rosenbrock, Method::Auto] {
         let settings = Settings::new(method).rtol(1e-6);
