@@ -166,7 +166,7 @@ Every function of every scene at random places, on doubles beside the same on nu
 slopes, outputs, energies, masses, guards; of linkages what closes the groups, the slopes of their loops, kinematic
 coefficients, outputs with their influence coefficients of first and second order, points. Errors in units in the last place;
 *inside* counts those that are more than four units, and more than four times what a unit in the last place of states, time,
-position and parameters does to the exact value: sums that cancel within a function. Most are derivatives of the second order of `gear_flank` and `burnishing`, which go
+position and parameters does to the exact value: sums that cancel within a function. Most are influence coefficients of `gear_flank` and `burnishing`, which go
 through many products and quotients whose parts annul each other. What is zero without roundings, or ill determined by its
 place to the fourth digit, does not count. Made by
 
