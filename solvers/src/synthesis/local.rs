@@ -6,7 +6,7 @@ use super::problem::Sought;
 /// What is to be small: the largest of some values, and half the sum of the squares of others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Aim {
-    /// How many of the values, the last ones, count by their squares.
+    /// How many of the values, the last ones, count by their squares; all of them where there are not as many.
     pub squares: usize,
 }
 
@@ -48,7 +48,7 @@ impl Aim {
 
     /// The values of which the largest counts, and those that count by their squares. So it is with rows of slopes.
     pub(super) fn parts<T>(self, values: &[T]) -> (&[T], &[T]) {
-        values.split_at(values.len() - self.squares)
+        values.split_at(values.len().saturating_sub(self.squares))
     }
 
     /// What is made small.

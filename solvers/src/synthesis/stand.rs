@@ -89,6 +89,6 @@ impl Stand {
 
     /// Whether nothing but squares is made small. Their slopes say most of how they are bent.
     pub fn is_squares(&self, aim: Aim) -> bool {
-        aim.squares == self.here.values.len()
+        aim.parts(&self.here.values).0.is_empty()
     }
 }

@@ -162,6 +162,9 @@ fn the_largest_of_some_and_squares_of_others() {
     let (found, _) = certified(vec![Sought::between(0.0, 10.0)], Aim { squares: 1 }, &[9.0], look);
     assert!((found.design[0] - 2.0).abs() < 1e-6, "{found:?}");
     assert!((found.value - 1.5).abs() < 1e-12, "{found:?}");
+    // Of fewer values all count by their squares: 3 (x - 5/3)²/2 and more.
+    let (found, _) = certified(vec![Sought::between(0.0, 10.0)], Aim { squares: 9 }, &[9.0], look);
+    assert!((found.design[0] - 5.0 / 3.0).abs() < 1e-6, "{found:?}");
 }
 
 /// The kinetics of Kowalik and Osborne (1968), least squares whose rest is not zero.
