@@ -29,11 +29,13 @@ pub fn implementation(layout: &Layout<'_>, linkage: &LinkageInfo) -> TokenStream
         true => quote!(!cfg!(debug_assertions)),
         false => quote!(false),
     };
+    let is_sought = layout.scene.synthesis.is_some();
     quote! {
         impl ::assur::closure::Linkage for #name {
             type Closure<S: ::assur::scalar::Scalar> = #closure<S>;
 
             const PACKED: bool = #packed;
+            const IS_SOUGHT: bool = #is_sought;
 
             #[inline(always)]
             fn shape(&self) -> &'static ::assur::shape::Shape {

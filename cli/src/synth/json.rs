@@ -211,7 +211,8 @@ impl Design {
                 estimated_error: number(unit::stated(error, quantity.factor)),
             }
         });
-        let worth = found.synthesis.worth(|index| proposal.measure(index).0);
+        let measure = |index| proposal.measure(index).0;
+        let worth = found.synthesis.worth(measure(found.synthesis.objective), measure);
         let factor = found.measure(found.synthesis.objective).factor;
         Self {
             values: values.map(|(quantity, value)| Amount::of(quantity, *value)).collect(),

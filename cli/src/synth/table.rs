@@ -94,7 +94,8 @@ fn designs(page: &mut Page, found: &Found) {
         if found.synthesis.preferences.first().is_some_and(|one| one.0 == index) {
             let objective = found.measure(found.synthesis.objective);
             let worth = shown.iter().map(|one| {
-                let worth = found.synthesis.worth(|index| one.measure(index).0);
+                let measure = |index| one.measure(index).0;
+                let worth = found.synthesis.worth(measure(found.synthesis.objective), measure);
                 number::significant(worth / objective.factor, 6)
             });
             let first =

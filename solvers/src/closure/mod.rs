@@ -25,6 +25,9 @@ pub use extent::facets::{Facet, Facets};
 pub use extent::limits::{End, Stretch, stretch};
 pub use extent::measures::Measured;
 pub use extent::strokes::{Stroke, strokes};
+#[doc(hidden)]
+pub use extent::survey::Round;
+pub use extent::survey::losers;
 pub use extent::track::Along;
 pub use linkage::any::AnyLinkage;
 pub(crate) use linkage::derivative::{duals, keep_closed};

@@ -52,11 +52,11 @@ impl Synthesis {
         self.varied.len() - self.solved.map_or(0, |solved| solved.unknowns.len())
     }
 
-    /// What is made small, with what preferences that are missed cost, from the measures.
-    pub fn worth(&self, measure: impl Fn(usize) -> f64) -> f64 {
+    /// What is made small, and what preferences that are missed cost, from their measures.
+    pub fn worth(&self, objective: f64, margin: impl Fn(usize) -> f64) -> f64 {
         let preferences = self.preferences.iter();
-        let costs = preferences.map(|(index, cost)| cost * f64::max(-measure(*index), 0.0));
-        measure(self.objective) + costs.sum::<f64>()
+        let costs = preferences.map(|(index, cost)| cost * f64::max(-margin(*index), 0.0));
+        objective + costs.sum::<f64>()
     }
 }
 

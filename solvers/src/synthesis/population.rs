@@ -109,7 +109,7 @@ impl Population {
             let mut random = Random::new(seed, place);
             trials.push(self.tried(judge.sought(), index, &mut random, tried));
         }
-        let mut scores = vec![Score::WORST; size];
+        let mut scores = self.scores.clone();
         judged(&tried, &mut scores);
         self.evaluations += size as u64;
         let mut successes = Vec::new();

@@ -106,7 +106,8 @@ pub trait Judge: Sync {
     fn sought(&self) -> &[Sought];
 
     /// Judges designs, one behind the other in the list, each of as many numbers as are sought. What it says of one must
-    /// not depend on the others: how they are shared among threads is not told.
+    /// not depend on the others: how they are shared among threads is not told. At first the scores hold what each design has to be
+    /// as good as; of one that is certainly worse any worse score will do.
     fn judge(&self, designs: &[f64], scores: &mut [Score]);
 }
 

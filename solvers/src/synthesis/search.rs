@@ -4,11 +4,14 @@ use super::population::{LEAST, Population};
 use super::problem::{Judge, Score, SynthesisError, check};
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
 
 /// Designs of the first generation for each number that is sought.
 const DESIGNS: usize = 18;
-/// Designs that are judged together; a pack of numbers divides it.
-const BLOCK: usize = 16;
+/// Fewest and most designs that are judged together; packs of numbers divide them.
+const BLOCK: (usize, usize) = (8, 64);
+/// Blocks for each thread at least, where there are designs enough.
+const BLOCKS: usize = 4;
 /// A population whose designs differ by less, as a part of each range, has found what it can find.
 const GATHERED: f64 = 1e-10;
 
@@ -94,30 +97,27 @@ pub fn search(
     })
 }
 
-/// Judges designs in blocks, which go to threads by turns.
+/// Judges designs in blocks; each goes to the thread that comes first.
 fn judge_all(judge: &dyn Judge, effort: &Effort, designs: &[f64], scores: &mut [Score]) {
     let n = judge.sought().len();
     let machine = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
     let threads = if effort.threads == 0 { machine() } else { effort.threads };
-    let threads = threads.min(scores.len().div_ceil(BLOCK)).max(1);
-    let blocks = || designs.chunks(BLOCK * n);
-    if threads == 1 {
-        for (designs, scores) in blocks().zip(scores.chunks_mut(BLOCK)) {
+    let threads = threads.min(scores.len().div_ceil(BLOCK.0)).max(1);
+    let block = scores.len().div_ceil(BLOCKS * threads).clamp(BLOCK.0, BLOCK.1);
+    let blocks = Mutex::new(designs.chunks(block * n).zip(scores.chunks_mut(block)));
+    let work = || {
+        loop {
+            let taken = blocks.lock().unwrap_or_else(PoisonError::into_inner).next();
+            let Some((designs, scores)) = taken else { break };
             judge.judge(designs, scores);
         }
-        return;
-    }
-    let mut shares: Vec<Vec<_>> = (0..threads).map(|_| Vec::new()).collect();
-    for (index, block) in blocks().zip(scores.chunks_mut(BLOCK)).enumerate() {
-        shares[index % threads].push(block);
+    };
+    if threads == 1 {
+        return work();
     }
     std::thread::scope(|scope| {
-        for share in shares {
-            scope.spawn(move || {
-                for (designs, scores) in share {
-                    judge.judge(designs, scores);
-                }
-            });
+        for _ in 0..threads {
+            scope.spawn(work);
         }
     });
 }

@@ -24,8 +24,8 @@ impl Design<'_> {
         best.unwrap_or_else(|| (chosen.to_vec(), Score::WORST))
     }
 
-    /// The designs with these numbers. Where the condition says nothing, since loops do not close, one from the middles of the ranges.
-    fn complete(&self, chosen: &[f64]) -> Vec<Vec<f64>> {
+    /// The designs with these numbers, at least one. Where the condition says nothing, since loops do not close, one from the middles of the ranges.
+    pub(super) fn complete(&self, chosen: &[f64]) -> Vec<Vec<f64>> {
         let middles = self.sought[chosen.len()..].iter().map(|one| 0.5 * (one.low + one.high));
         let middle: Vec<f64> = chosen.iter().copied().chain(middles).collect();
         match self.follow(&middle) {

@@ -1,6 +1,7 @@
 //! A scene that chooses its own values: those for which a measure is least, of all that keep its conditions.
 
 mod complete;
+mod judge;
 mod made;
 #[cfg(feature = "synthesis")]
 mod neighbours;
@@ -18,8 +19,8 @@ use crate::registry::{Bind, SceneEntry};
 use assur_solvers::answer::{Error, Question, Settings};
 use assur_solvers::closure::{Along, AnyLinkage, ClosureError};
 use assur_solvers::measure::Missing;
-use assur_solvers::shape::{Constant, Synthesis, Varied};
-use assur_solvers::synthesis::{Judge, Score, Sought};
+use assur_solvers::shape::{Constant, Shape, Synthesis, Varied};
+use assur_solvers::synthesis::{Score, Sought};
 
 /// What of a way is lost counts half, what gap is left at its begin the other half.
 const HALF: f64 = 0.5;
@@ -33,6 +34,7 @@ pub struct Design<'a> {
     bind: &'a Bind,
     constants: &'a [Constant],
     synthesis: Synthesis,
+    shape: &'static Shape,
     /// Of each condition whether it follows from the constants alone.
     fixed: Vec<bool>,
     sought: Vec<Sought>,
@@ -64,6 +66,7 @@ impl<'a> Design<'a> {
             bind: &scene.bind,
             constants: scene.constants,
             synthesis,
+            shape: scene.shape,
             fixed: conditions.map(|index| scene.shape.uses[*index].is_empty()).collect(),
             sought: sought.collect(),
             values: values.to_vec(),
@@ -188,10 +191,10 @@ impl<'a> Design<'a> {
         if (0..measures.len()).any(|index| self.needs(index) && !is_known(index)) {
             return Score::missing(self.count() + ALL);
         }
-        let margins = self.margins(|index| measures[index].unwrap_or(f64::NAN), false);
-        match missed(&margins) {
+        let measure = |index: usize| measures[index].unwrap_or(f64::NAN);
+        match missed(&self.margins(measure, false)) {
             Some(first) => Score::missing(first),
-            None => Score::kept(self.synthesis.worth(|index| measures[index].unwrap_or(f64::NAN))),
+            None => Score::kept(self.synthesis.worth(measure(self.synthesis.objective), measure)),
         }
     }
 
@@ -211,19 +214,6 @@ impl<'a> Design<'a> {
 fn missed(margins: &[f64]) -> Option<f64> {
     let first = margins.iter().position(|margin| *margin < 0.0)?;
     Some((margins.len() - 1 - first) as f64 + FRAC_2_PI * (-margins[first]).atan())
-}
-
-/// What is sought are the values that no condition gives: of the designs that it leaves the best counts.
-impl Judge for Design<'_> {
-    fn sought(&self) -> &[Sought] {
-        self.chosen()
-    }
-
-    fn judge(&self, designs: &[f64], scores: &mut [Score]) {
-        for (chosen, score) in designs.chunks_exact(self.chosen().len()).zip(scores) {
-            *score = self.best(chosen).1;
-        }
-    }
 }
 
 /// How much of its way a linkage does not get through, or what gap is left at its begin; between 0 and 1.

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use super::track::Along;
 use crate::closure::error::ClosureError;
 use crate::closure::linkage::any::AnyLinkage;
-use crate::closure::linkage::loops::{Loops, instant_at};
+use crate::closure::linkage::loops::Loops;
 use crate::closure::position::guide::Moves;
 use crate::hybrid::Motion;
 use crate::measure::{self, Missing, Probe};
@@ -60,8 +60,14 @@ impl<'a> Walk<'a> {
         let place = self.place(at)?;
         let (drivers, motion) = place.split_at(self.standing.len());
         self.assembly.travel(drivers)?;
-        let instant = instant_at(&*self.loops, drivers, self.linkage.motion(motion));
-        self.loops.measured(&instant, self.assembly.guide().position, values);
+        let guide = self.assembly.guide();
+        match self.linkage.motion(motion) {
+            [] => guide.loops.measured(guide.instant, guide.position, values),
+            motion => {
+                let instant = guide.loops.instant_row(drivers, motion);
+                guide.loops.measured(&instant, guide.position, values);
+            }
+        }
         Ok(())
     }
 

@@ -4,7 +4,8 @@
 //! of linkages made at random.
 
 use super::loops::{Answers, Apart, Loops, Trials};
-use super::problem::{Linkage, Range};
+use super::problem::{Closure, Linkage, Range};
+use crate::closure::extent::survey::{Looking, Round};
 use crate::closure::position::assembly::Assembly;
 use crate::closure::position::guide::Moves;
 use crate::dispatch::{dispatch, dispatch_packs};
@@ -51,6 +52,14 @@ pub trait AnyLinkage: Send + Sync {
     /// The loops with these values over intervals.
     #[doc(hidden)]
     fn enclose(&self, values: &[Interval]) -> Box<dyn Trials<Interval>>;
+
+    /// Its measures, from bounds of what has been found of a way.
+    #[doc(hidden)]
+    fn bounds(&self) -> Box<dyn Fn(&[Interval]) -> Vec<Interval> + '_>;
+
+    /// Looks at linkages of its kind side by side.
+    #[doc(hidden)]
+    fn survey(&self, round: Round<'_, '_>);
 
     /// Makes linkages at random, block after block until none waits, and counts the classes of their errors.
     #[doc(hidden)]
@@ -100,6 +109,24 @@ impl<L: Linkage> AnyLinkage for L {
 
     fn enclose(&self, values: &[Interval]) -> Box<dyn Trials<Interval>> {
         Box::new(Apart(Linkage::prepare(self, values)))
+    }
+
+    fn bounds(&self) -> Box<dyn Fn(&[Interval]) -> Vec<Interval> + '_> {
+        let values: Vec<Interval> = self.values().into_iter().map(Interval::point).collect();
+        let loops = Linkage::prepare(self, &values);
+        let count = Linkage::shape(self).measures.len();
+        Box::new(move |found| {
+            let mut measures = vec![Interval::ENTIRE; count];
+            loops.measures(found, &mut measures);
+            measures
+        })
+    }
+
+    fn survey(&self, round: Round<'_, '_>) {
+        if L::IS_SOUGHT {
+            let looking = Looking { linkage: self, round };
+            if self.is_apart() { dispatch(looking) } else { dispatch_packs(looking) }
+        }
     }
 
     fn draw(&self, run: &Run<'_>, blocks: &Blocks<'_>, counts: &mut [Counts]) -> Vec<(u64, Block)> {

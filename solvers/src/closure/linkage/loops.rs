@@ -16,6 +16,9 @@ pub trait Trials<S: Scalar>: Send + Sync {
     /// See [`Closure::instant`] and [`Closure::moving`]; no motion where it is not known.
     fn instant(&self, independents: &[S], motion: &[S], instant: &mut [S]);
 
+    /// The same as a row of its own.
+    fn instant_row(&self, independents: &[S], motion: &[S]) -> Vec<S>;
+
     /// See [`Closure::trial`].
     fn trial(
         &self,
@@ -69,9 +72,7 @@ pub fn instant_at<S: Scalar, T: Trials<S> + ?Sized>(
     independents: &[S],
     motion: &[S],
 ) -> Vec<S> {
-    let mut instant = vec![S::ZERO; loops.lengths().1];
-    loops.instant(independents, motion, &mut instant);
-    instant
+    loops.instant_row(independents, motion)
 }
 
 /// Residuals and Jacobian of a group.
@@ -113,6 +114,21 @@ fn stored<S: Scalar, T: Storage<S>>(row: &[S]) -> T {
     stored
 }
 
+impl<C> Apart<C> {
+    fn made<S: Scalar>(&self, independents: &[S], motion: &[S]) -> C::Instant
+    where
+        C: Closure<S>,
+    {
+        S::outline(
+            #[inline(always)]
+            || match motion.is_empty() {
+                true => self.0.instant(independents),
+                false => self.0.moving(independents, motion),
+            },
+        )
+    }
+}
+
 impl<S: Scalar, C: Closure<S>> Trials<S> for Apart<C> {
     fn shape(&self) -> &'static Shape {
         self.0.shape()
@@ -120,22 +136,15 @@ impl<S: Scalar, C: Closure<S>> Trials<S> for Apart<C> {
 
     fn lengths(&self) -> (usize, usize) {
         let unknown = vec![S::from_f64(f64::NAN); self.0.shape().drivers.len()];
-        let instant = S::outline(
-            #[inline(always)]
-            || self.0.instant(&unknown),
-        );
-        (self.0.zeros().as_ref().len(), instant.as_ref().len())
+        (self.0.zeros().as_ref().len(), self.made(&unknown, &[]).as_ref().len())
     }
 
     fn instant(&self, independents: &[S], motion: &[S], instant: &mut [S]) {
-        let made = S::outline(
-            #[inline(always)]
-            || match motion.is_empty() {
-                true => self.0.instant(independents),
-                false => self.0.moving(independents, motion),
-            },
-        );
-        instant.copy_from_slice(made.as_ref());
+        instant.copy_from_slice(self.made(independents, motion).as_ref());
+    }
+
+    fn instant_row(&self, independents: &[S], motion: &[S]) -> Vec<S> {
+        self.made(independents, motion).as_ref().to_vec()
     }
 
     fn trial(

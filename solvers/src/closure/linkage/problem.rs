@@ -167,6 +167,9 @@ pub trait Linkage: Clone + Send + Sync + 'static {
     /// `match` on a constant of an enum rustc compiles every arm.
     const PACKED: bool = true;
 
+    /// Whether it is sought: linkages of its kind are then looked at side by side. The others spare what that takes to compile.
+    const IS_SOUGHT: bool = true;
+
     /// Whether it searches, or solves loops that contradict each other, and so goes separate ways for different numbers: side by
     /// side it would end otherwise than alone.
     fn is_apart(&self) -> bool {
