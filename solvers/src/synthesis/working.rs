@@ -7,7 +7,7 @@ use super::curve::dot;
 use super::programme::{Model, Step};
 
 /// Rows of each kind that are taken up at once, over how many numbers there are.
-const AT_ONCE: usize = 1;
+const AT_ONCE: usize = 3;
 /// A row is needed where it is passed by more than this part of what rows change by within the region.
 const PASSED: f64 = 1e-9;
 
