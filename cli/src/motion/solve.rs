@@ -20,9 +20,14 @@ impl Case {
         motion.map_err(|error| self.unanswered(&error))
     }
 
+    /// Why there is no motion, in words.
+    pub fn tell(&self, error: &Error) -> Told {
+        told(self.scene, self.run(), error)
+    }
+
     /// Why there is no motion.
     pub fn unanswered(&self, error: &Error) -> Failure {
-        let told = told(self.scene, self.run(), error);
+        let told = self.tell(error);
         let what = match error {
             Error::NoCycle(_) => "no motion that repeats was found",
             Error::NotAtRest(_) => "no position of rest was found",

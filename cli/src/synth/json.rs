@@ -85,6 +85,8 @@ struct Design {
     measures: Vec<Measure>,
     /// Why it has none; null where it has.
     reason: Option<String>,
+    /// How it is put together otherwise than its start values mean; null where it is not.
+    contradiction: Option<String>,
     /// The statement of an equation file that gives its values.
     preset: String,
     /// How it was polished, and what holds it; null where polishing made it no better.
@@ -221,6 +223,7 @@ impl Design {
             made: proposal.made.map(|made| unit::stated(made, factor)),
             measures: measures.collect(),
             reason: proposal.measures.as_ref().err().cloned(),
+            contradiction: proposal.contradiction.clone(),
             preset: proposal.preset(found, place),
             polish: proposal.polish.as_ref().map(|polish| Polished::of(found, polish)),
             gathered: proposal.candidate.is_gathered,

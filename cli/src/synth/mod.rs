@@ -7,6 +7,7 @@ mod picture;
 mod resume;
 mod search;
 mod table;
+mod verdict;
 
 pub use arguments::{EXAMPLES, SynthArguments};
 pub use json::Object;
@@ -75,8 +76,10 @@ struct Proposal {
     polish: Option<Polish>,
     /// What is made small where it is made within tolerances; none where nothing has any.
     made: Option<f64>,
-    /// Its measures with their errors; none where it does not get through its task.
+    /// Its measures with their errors; why it has none in words.
     measures: Result<Vec<(f64, f64)>, String>,
+    /// How it is put together otherwise than is meant, in words; none where it is not.
+    contradiction: Option<String>,
 }
 
 impl Found {
@@ -103,7 +106,8 @@ impl Found {
         drop(stoppable);
         let designs = settled.into_iter().map(|settled| Proposal {
             made: design.made(&settled.candidate.design),
-            measures: design.measures(&settled.candidate.design),
+            measures: verdict::measures(&design, &constants, &settled.candidate.design),
+            contradiction: verdict::contradiction(&design, &constants, &settled.candidate.design),
             candidate: settled.candidate,
             polish: settled.polish,
         });
@@ -285,25 +289,5 @@ impl Answer for Found {
         Err(Failure::numerical("no design was found that keeps all conditions")
             .reason(self.hardest())
             .remedy("widen the bounds, relax what is missed, or seek longer: --evaluations"))
-    }
-}
-
-impl Found {
-    /// What the best design misses first, and by how much.
-    fn hardest(&self) -> String {
-        let Some(best) = self.designs.first() else {
-            return "none was judged".to_owned();
-        };
-        if let Err(reason) = &best.measures {
-            return format!("the best one does not get through its task: {reason}");
-        }
-        let missed = self.synthesis.conditions.iter().find_map(|index| {
-            let (value, quantity) = (best.measure(*index).0, self.measure(*index));
-            (value < 0.0 || value.is_nan()).then(|| {
-                let by = number::significant(-value / quantity.factor, 4);
-                format!("`{}` is missed by {by} {}", quantity.name, quantity.unit)
-            })
-        });
-        missed.unwrap_or_else(|| "its measures are no numbers".to_owned())
     }
 }

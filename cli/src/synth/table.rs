@@ -22,6 +22,11 @@ pub fn render(page: &mut Page, found: &Found, figure: Option<&Path>) {
     if found.designs.len() > DESIGNS {
         page.line(&format!("{} more are in --format json.", found.designs.len() - DESIGNS));
     }
+    for (number, proposal) in (1..).zip(found.designs.iter().take(DESIGNS)) {
+        if let Some(contradiction) = &proposal.contradiction {
+            page.warn(&format!("Design {number} is put together {contradiction}."));
+        }
+    }
     if let Some(figure) = figure {
         page.line(&format!("Figure: {}", figure.display()));
     }

@@ -19,7 +19,7 @@ pub use resonances::{
 };
 pub use sensitivity::{Slope, slopes};
 pub use spread::{Spread, share, spread};
-pub use synthesis::{Candidate, Design, Stand, seek};
+pub use synthesis::{Candidate, Design, Stand, Unmeasured, seek};
 #[cfg(feature = "synthesis")]
 pub use synthesis::{Held, Polish, Settled, settle};
 pub use trust::{Told, Trust, trust};

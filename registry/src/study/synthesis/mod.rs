@@ -8,15 +8,17 @@ mod neighbours;
 #[cfg(feature = "synthesis")]
 mod polish;
 mod seek;
+mod unmeasured;
 
 #[cfg(feature = "synthesis")]
 pub use polish::{Held, Polish, Settled, settle};
 pub use seek::{Candidate, Stand, seek};
+pub use unmeasured::Unmeasured;
 
 use std::f64::consts::{FRAC_2_PI, TAU};
 
 use crate::registry::{Bind, SceneEntry};
-use assur_solvers::answer::{Error, Question, Settings};
+use assur_solvers::answer::{Question, Settings};
 use assur_solvers::closure::{Along, AnyLinkage, ClosureError};
 use assur_solvers::measure::Missing;
 use assur_solvers::shape::{Constant, Shape, Synthesis, Varied};
@@ -101,20 +103,19 @@ impl<'a> Design<'a> {
     ///
     /// # Errors
     /// Why the design has none.
-    pub fn measures(&self, design: &[f64]) -> Result<Vec<(f64, f64)>, String> {
+    pub fn measures(&self, design: &[f64]) -> Result<Vec<(f64, f64)>, Unmeasured> {
         let values = self.values(design);
-        let failed = |error: &dyn std::fmt::Display| error.to_string();
         match self.bind {
             Bind::Linkage(bind) => {
-                let linkage = bind(&values).map_err(|refused| failed(&refused))?;
-                let way = linkage.way().ok_or_else(|| failed(&Error::NoTask))?;
-                let found = linkage.measures(way).map_err(|error| failed(&error))?;
+                let linkage = bind(&values).map_err(Unmeasured::Refused)?;
+                let way = linkage.way().ok_or(Unmeasured::NoTask)?;
+                let found = linkage.measures(way).map_err(Unmeasured::Stuck)?;
                 Ok(found.iter().map(|one| (one.value.unwrap_or(f64::NAN), one.error)).collect())
             }
             Bind::Motion(bind) => {
-                let model = bind(&values).map_err(|refused| failed(&refused))?;
+                let model = bind(&values).map_err(Unmeasured::Refused)?;
                 let motion = Question::of(model.into()).solve(&self.settings);
-                let motion = motion.map_err(|error| failed(&error))?;
+                let motion = motion.map_err(Unmeasured::Still)?;
                 let measures = motion.measures();
                 let errors =
                     motion.estimate().map(|estimate| estimate.measures(&motion, &measures));
