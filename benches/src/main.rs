@@ -26,6 +26,7 @@ mod hand_modes;
 mod hand_radau;
 mod hand_random;
 mod hand_run_up;
+mod hand_search;
 mod hand_squeezer;
 mod hand_system;
 mod hand_walk;
@@ -38,6 +39,7 @@ mod peers;
 mod revolutions;
 mod row;
 mod run_ups;
+mod search;
 mod sheets;
 mod spread;
 mod squeezer;
@@ -65,6 +67,7 @@ usage: assur-benches [COMMAND]
   interpreter   equation files that nobody has compiled
   sheets        a map, a gear flank and curves, at many places
   tolerance     a million heald linkages made at random
+  search        a hundred thousand designs of a dwell six-bar
   all           all of these (default)
   peers [WORKLOAD]
                 other libraries on linkage, revolutions, stiff, squeezer, monte-carlo, foot
@@ -89,12 +92,13 @@ const COUNTED: [Report; 9] = [
     ("sheets", sheets::report),
 ];
 /// Reports of times alone.
-const TIMED: [Report; 5] = [
+const TIMED: [Report; 6] = [
     ("chain", chain::report),
     ("monte-carlo", monte_carlo::report),
     ("row", row::report),
     ("interpreter", interpreter::report),
     ("tolerance", tolerance::report),
+    ("search", search::report),
 ];
 
 fn main() -> ExitCode {

@@ -7,6 +7,7 @@
 mod bent;
 #[cfg(feature = "synthesis")]
 mod certificate;
+mod crew;
 #[cfg(feature = "synthesis")]
 mod curve;
 mod fit;

@@ -1,17 +1,12 @@
 //! The search of all designs between the bounds.
 
+use super::crew::Crew;
 use super::population::{LEAST, Population};
 use super::problem::{Judge, Score, SynthesisError, check};
-use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
-use std::sync::{Mutex, PoisonError};
 
 /// Designs of the first generation for each number that is sought.
 const DESIGNS: usize = 18;
-/// Fewest and most designs that are judged together; packs of numbers divide them.
-const BLOCK: (usize, usize) = (8, 64);
-/// Blocks for each thread at least, where there are designs enough.
-const BLOCKS: usize = 4;
 /// A population whose designs differ by less, as a part of each range, has found what it can find.
 const GATHERED: f64 = 1e-10;
 
@@ -66,18 +61,33 @@ pub fn search(
     if first < LEAST {
         return Err(SynthesisError::BadPopulation { size: first, least: LEAST });
     }
-    let judged = |designs: &[f64], scores: &mut [Score]| judge_all(judge, effort, designs, scores);
-    let mut population = match from {
-        Some(population) => {
-            population.check(sought)?;
-            population
-        }
-        None => {
-            let mut population = Population::anywhere(sought, first, effort.seed);
-            population.begin(judged);
-            population
-        }
-    };
+    let from = from.map(|population| population.check(sought).map(|()| population)).transpose()?;
+    let population = std::thread::scope(|scope| {
+        let crew = Crew::new(judge, effort.threads, scope);
+        gone_on(&crew, (judge, effort, first), from, progress)
+    });
+    Ok(Found {
+        design: population.design(0).to_vec(),
+        score: population.scores[0],
+        is_gathered: population.is_gathered(sought, GATHERED),
+        population,
+    })
+}
+
+/// The population that a search comes to, from one or from anywhere.
+fn gone_on(
+    crew: &Crew<'_>,
+    (judge, effort, first): (&dyn Judge, &Effort, usize),
+    from: Option<Population>,
+    progress: &mut dyn FnMut(&Population) -> ControlFlow<()>,
+) -> Population {
+    let sought = judge.sought();
+    let judged = |designs: &[f64], scores: &mut [Score]| crew.judge(designs, scores);
+    let mut population = from.unwrap_or_else(|| {
+        let mut population = Population::anywhere(sought, first, effort.seed);
+        population.begin(judged);
+        population
+    });
     let mut going = progress(&population);
     while going.is_continue()
         && population.evaluations < effort.evaluations
@@ -89,35 +99,5 @@ pub fn search(
         population.advance(judge, (effort.seed, keep), judged);
         going = progress(&population);
     }
-    Ok(Found {
-        design: population.design(0).to_vec(),
-        score: population.scores[0],
-        is_gathered: population.is_gathered(sought, GATHERED),
-        population,
-    })
-}
-
-/// Judges designs in blocks; each goes to the thread that comes first.
-fn judge_all(judge: &dyn Judge, effort: &Effort, designs: &[f64], scores: &mut [Score]) {
-    let n = judge.sought().len();
-    let machine = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-    let threads = if effort.threads == 0 { machine() } else { effort.threads };
-    let threads = threads.min(scores.len().div_ceil(BLOCK.0)).max(1);
-    let block = scores.len().div_ceil(BLOCKS * threads).clamp(BLOCK.0, BLOCK.1);
-    let blocks = Mutex::new(designs.chunks(block * n).zip(scores.chunks_mut(block)));
-    let work = || {
-        loop {
-            let taken = blocks.lock().unwrap_or_else(PoisonError::into_inner).next();
-            let Some((designs, scores)) = taken else { break };
-            judge.judge(designs, scores);
-        }
-    };
-    if threads == 1 {
-        return work();
-    }
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(work);
-        }
-    });
+    population
 }
