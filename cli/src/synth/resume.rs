@@ -16,7 +16,7 @@ use crate::error::Failure;
 use crate::show::output::Destination;
 
 /// What such a file is.
-const FORMAT: &str = "assur-search/1";
+const FORMAT: &str = "assur-search/2";
 /// How long a search goes on before it is written down again.
 const BETWEEN: Duration = Duration::from_secs(5);
 
@@ -30,7 +30,7 @@ struct Stored {
     over: u64,
     judged: u64,
     found: Vec<Found>,
-    population: Option<Designs>,
+    populations: Vec<Option<Designs>>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -125,9 +125,10 @@ impl Search {
         let has_all = |numbers: usize, designs: usize| numbers == designs * self.length.1;
         stand.found.iter().all(|one| one.design.len() == self.length.0)
             && stand
-                .population
-                .as_ref()
-                .is_none_or(|one| has_all(one.designs.len(), one.scores.len()))
+                .populations
+                .iter()
+                .flatten()
+                .all(|one| has_all(one.designs.len(), one.scores.len()))
     }
 
     /// Writes it down, if that is some time ago.
@@ -187,15 +188,6 @@ impl Stored {
             evaluations: one.evaluations,
             is_gathered: one.is_gathered,
         });
-        let population = stand.population.as_ref().map(|one| Designs {
-            designs: bits(&one.designs),
-            scores: one.scores.iter().map(of_score).collect(),
-            archive: bits(&one.archive),
-            memory: one.memory.iter().map(|pair| pair.map(f64::to_bits)).collect(),
-            next: one.next,
-            generation: one.generation,
-            evaluations: one.evaluations,
-        });
         Self {
             format: FORMAT.to_owned(),
             problem: search.problem.clone(),
@@ -203,7 +195,11 @@ impl Stored {
             over: stand.over,
             judged: stand.judged,
             found: found.collect(),
-            population,
+            populations: stand
+                .populations
+                .iter()
+                .map(|one| one.as_ref().map(Designs::of))
+                .collect(),
         }
     }
 
@@ -215,22 +211,41 @@ impl Stored {
             evaluations: one.evaluations,
             is_gathered: one.is_gathered,
         });
-        let population = match self.population {
-            None => None,
-            Some(one) => {
-                let memory: Vec<[f64; 2]> =
-                    one.memory.iter().map(|pair| pair.map(f64::from_bits)).collect();
-                Some(Population {
-                    designs: numbers(&one.designs),
-                    scores: one.scores.into_iter().map(score).collect(),
-                    archive: numbers(&one.archive),
-                    next: one.next,
-                    generation: one.generation,
-                    evaluations: one.evaluations,
-                    memory: memory.try_into().ok()?,
-                })
-            }
-        };
-        Some(Stand { found: found.collect(), over: self.over, judged: self.judged, population })
+        let mut populations = Vec::with_capacity(self.populations.len());
+        for one in self.populations {
+            populations.push(match one {
+                Some(one) => Some(one.population()?),
+                None => None,
+            });
+        }
+        Some(Stand { found: found.collect(), over: self.over, judged: self.judged, populations })
+    }
+}
+
+impl Designs {
+    fn of(population: &Population) -> Self {
+        Self {
+            designs: bits(&population.designs),
+            scores: population.scores.iter().map(of_score).collect(),
+            archive: bits(&population.archive),
+            memory: population.memory.iter().map(|pair| pair.map(f64::to_bits)).collect(),
+            next: population.next,
+            generation: population.generation,
+            evaluations: population.evaluations,
+        }
+    }
+
+    fn population(self) -> Option<Population> {
+        let memory: Vec<[f64; 2]> =
+            self.memory.iter().map(|pair| pair.map(f64::from_bits)).collect();
+        Some(Population {
+            designs: numbers(&self.designs),
+            scores: self.scores.into_iter().map(score).collect(),
+            archive: numbers(&self.archive),
+            next: self.next,
+            generation: self.generation,
+            evaluations: self.evaluations,
+            memory: memory.try_into().ok()?,
+        })
     }
 }

@@ -68,6 +68,14 @@ pub fn runs(
     })
 }
 
+/// So many threads; as many as the machine has for zero.
+fn threads_of(threads: usize) -> usize {
+    match threads {
+        0 => std::thread::available_parallelism().map_or(1, NonZeroUsize::get),
+        threads => threads,
+    }
+}
+
 /// Does work for each number below `count`, on several threads, and gives the results in their order.
 pub fn each<T: Send>(
     count: usize,
@@ -75,8 +83,7 @@ pub fn each<T: Send>(
     progress: &(dyn Fn(u64) + Sync),
     work: &(dyn Fn(usize) -> T + Sync),
 ) -> Vec<T> {
-    let machine = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-    let threads = if threads == 0 { machine() } else { threads };
+    let threads = threads_of(threads);
     let next = AtomicUsize::new(0);
     let gathered = Mutex::new(Vec::with_capacity(count));
     let part = || {

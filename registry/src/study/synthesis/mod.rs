@@ -8,11 +8,13 @@ mod neighbours;
 #[cfg(feature = "synthesis")]
 mod polish;
 mod seek;
+mod stand;
 mod unmeasured;
 
 #[cfg(feature = "synthesis")]
 pub use polish::{Held, Polish, Settled, settle};
-pub use seek::{Candidate, Stand, seek};
+pub use seek::seek;
+pub use stand::{Candidate, Stand};
 pub use unmeasured::Unmeasured;
 
 use std::f64::consts::{FRAC_2_PI, TAU};
