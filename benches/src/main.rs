@@ -70,9 +70,10 @@ usage: assur-benches [COMMAND]
   search        a hundred thousand designs of a dwell six-bar
   all           all of these (default)
   peers [WORKLOAD]
-                other libraries on linkage, revolutions, stiff, squeezer, monte-carlo, foot
-                (all, if none is named); needs `--features peers`, and Python with SciPy
-                and CasADi for their part
+                other libraries on linkage, revolutions, stiff, squeezer, monte-carlo, foot,
+                search
+                (all, if none is named); needs `--features peers`, and Python with SciPy,
+                CasADi and numba for their part
   page          docs/benchmarks.md, to standard output; needs what `peers` needs
   brief         the times of `revolutions` alone, as numbers";
 

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::process::{Command, ExitCode};
 
 /// Workloads of the page: their title, what is compared, and the commands that measure it.
-const PARTS: [(&str, &str, &[&[&str]]); 14] = [
+const PARTS: [(&str, &str, &[&[&str]]); 15] = [
     (
         "W1: positions of a six-bar",
         "A four-bar with a dyad on its coupler, 360 positions in a revolution, with the influence of twelve dimensions and \
@@ -68,6 +68,13 @@ const PARTS: [(&str, &str, &[&[&str]]); 14] = [
         "Heald linkages made at random",
         "A million linkages within the tolerances of their dimensions (`equations/src/heald_linkage.eqn`).",
         &[&["tolerance"]],
+    ),
+    (
+        "A search for dimensions",
+        "The six-bar with a dwell (`examples/synthesis/dwell_six_bar.eqn`, scene `best`), by the same differential evolution. By \
+         hand a design is looked at in 72 positions, eight designs side by side; Assur finds what is furthest out between them \
+         and whether the linkage gets there, of the designs that are not worse already at a few positions.",
+        &[&["search"], &["peers", "search"]],
     ),
     (
         "Sheets",

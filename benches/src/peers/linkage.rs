@@ -5,11 +5,11 @@ use crate::equal::Point;
 use crate::table::{Table, number, power, ratio};
 use crate::{linkage, monte_carlo};
 
-/// What `peers.py` says of methods without a tolerance to choose, by the shortest time.
-fn told(workload: &str, methods: &[&'static str]) -> Vec<(&'static str, Point)> {
-    let found = scripts::points(&["peers.py", workload], methods);
+/// What a script says of methods without a tolerance to choose, by the shortest time.
+pub(super) fn told(words: &[&str], methods: &[&'static str]) -> Vec<(&'static str, Point)> {
+    let found = scripts::points(words, methods);
     if found.is_empty() {
-        println!("\nNot compared: `python3 peers.py {workload}` does not run.");
+        println!("\nNot compared: `python3 {}` does not run.", words.join(" "));
     }
     let one = |(method, points): (_, Vec<Option<Point>>)| {
         points.into_iter().flatten().next().map(|point| (method, point))
@@ -26,7 +26,7 @@ pub fn positions() {
         let time = number(Some(seconds * 1e9));
         table.row([name.to_owned(), String::new(), time, ratio(Some(seconds), Some(ours))]);
     }
-    for (method, point) in told("six-bar", &["CasADi C", "CasADi", "fsolve"]) {
+    for (method, point) in told(&["peers.py", "six-bar"], &["CasADi C", "CasADi", "fsolve"]) {
         let time = number(Some(point.seconds * 1e9));
         let over = ratio(Some(point.seconds), Some(ours));
         table.row([method.to_owned(), power(point.error), time, over]);
@@ -43,7 +43,7 @@ pub fn random() {
     let digits = |deviation: f64| format!("{:.5}", 1e3 * deviation);
     let first = ["Assur, solvers".to_owned(), digits(deviation), number(Some(ours * 1e3))];
     table.row(first.into_iter().chain(["1.00".to_owned()]));
-    for (method, point) in told("six-bar-random", &["numpy", "CasADi C"]) {
+    for (method, point) in told(&["peers.py", "six-bar-random"], &["numpy", "CasADi C"]) {
         let time = number(Some(point.seconds * 1e3));
         let over = ratio(Some(point.seconds), Some(ours));
         table.row([method.to_owned(), digits(point.error), time, over]);

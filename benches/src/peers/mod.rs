@@ -12,6 +12,7 @@ mod foot_diffsol;
 mod linkage;
 mod ode_solvers;
 mod scripts;
+mod search;
 pub mod squeezer;
 pub mod stiff;
 
@@ -50,13 +51,14 @@ fn finished(run: Run) -> Option<Run> {
 }
 
 /// Where a workload is compared, by its name.
-const WORKLOADS: [(&str, fn()); 6] = [
+const WORKLOADS: [(&str, fn()); 7] = [
     ("linkage", linkage::positions),
     ("revolutions", report),
     ("stiff", stiff::report),
     ("squeezer", squeezer::report),
     ("monte-carlo", linkage::random),
     ("foot", foot::report),
+    ("search", search::report),
 ];
 
 /// Compares on a workload, or on all; false if there is none of that name.
