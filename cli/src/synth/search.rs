@@ -67,10 +67,10 @@ pub fn run(
 
 /// A duration that an option gives.
 fn duration(option: &str, text: &str) -> Result<Duration, Failure> {
-    let seconds = quantity(text, &TIME).map_err(|failure| failure.place(option.to_owned()))?;
-    Duration::try_from_secs_f64(seconds).map_err(|_| {
-        Failure::request(format!("{text} is no duration"))
-            .place(option.to_owned())
-            .remedy(format!("for example: {option} 60s"))
-    })
+    let placed = |failure: Failure| {
+        failure.place(option.to_owned()).remedy(format!("for example: {option} 60s"))
+    };
+    let seconds = quantity(text, &TIME).map_err(placed)?;
+    Duration::try_from_secs_f64(seconds)
+        .map_err(|_| placed(Failure::request(format!("{text} is no duration"))))
 }

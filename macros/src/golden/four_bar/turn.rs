@@ -74,6 +74,7 @@ impl Turn {
 impl ::assur::closure::Linkage for Turn {
     type Closure<S: ::assur::scalar::Scalar> = TurnEquations<S>;
     const PACKED: bool = !cfg!(debug_assertions);
+    const IS_SOUGHT: bool = false;
     #[inline(always)]
     fn shape(&self) -> &'static ::assur::shape::Shape {
         &shapes_::Turn
