@@ -71,6 +71,6 @@ fn duration(option: &str, text: &str) -> Result<Duration, Failure> {
         failure.place(option.to_owned()).remedy(format!("for example: {option} 60s"))
     };
     let seconds = quantity(text, &TIME).map_err(placed)?;
-    Duration::try_from_secs_f64(seconds)
-        .map_err(|_| placed(Failure::request(format!("{text} is no duration"))))
+    let duration = Duration::try_from_secs_f64(seconds).ok().filter(|one| !one.is_zero());
+    duration.ok_or_else(|| placed(Failure::request(format!("{text} is no duration"))))
 }

@@ -211,8 +211,10 @@ fn a_search_goes_on_for_a_time() {
     assert!(again["evaluations"].as_u64().is_some_and(|more| more > judged + 300), "{again}");
     let (first, second) = (&found["designs"][0], &again["designs"][0]);
     assert!(value(&second["measures"], 0) <= value(&first["measures"], 0) + 1e-9);
-    let all = ["synth", "swinger.eqn", "--more", "2kg"];
-    check_refused(&all, &["wrong unit", "--more"], &folder);
+    for (time, words) in [("2kg", "wrong unit"), ("60", "needs a unit"), ("0s", "is no duration")] {
+        let all = ["synth", "swinger.eqn", "--more", time];
+        check_refused(&all, &[words, "--more 60s"], &folder);
+    }
 }
 
 /// What is made small errs by the tolerances: to first order, `|cos mu|` where it is worst and the root of the sum of the squares.

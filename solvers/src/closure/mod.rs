@@ -30,6 +30,8 @@ pub use extent::survey::Round;
 pub use extent::survey::losers;
 pub use extent::track::Along;
 pub use linkage::any::AnyLinkage;
+#[doc(hidden)]
+pub use linkage::any::Bounds;
 pub(crate) use linkage::derivative::{duals, keep_closed};
 #[doc(hidden)]
 pub use linkage::loops::{Answers, Apart, Loops, Square, Trials, instant_at};

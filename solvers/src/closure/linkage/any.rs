@@ -14,6 +14,9 @@ use crate::scalar::{Dual, Interval};
 use crate::shape::Shape;
 use crate::tolerance::{Block, Blocks, Counts, Drawing, Run};
 
+/// Between which bounds measures lie, from bounds of what has been found of a way.
+pub type Bounds<'a> = Box<dyn Fn(&[Interval]) -> Vec<Interval> + 'a>;
+
 /// A linkage with its values.
 pub trait AnyLinkage: Send + Sync {
     /// What it is made of.
@@ -55,7 +58,7 @@ pub trait AnyLinkage: Send + Sync {
 
     /// Its measures, from bounds of what has been found of a way.
     #[doc(hidden)]
-    fn bounds(&self) -> Box<dyn Fn(&[Interval]) -> Vec<Interval> + '_>;
+    fn bounds(&self) -> Bounds<'_>;
 
     /// Looks at linkages of its kind side by side.
     #[doc(hidden)]
@@ -111,7 +114,7 @@ impl<L: Linkage> AnyLinkage for L {
         Box::new(Apart(Linkage::prepare(self, values)))
     }
 
-    fn bounds(&self) -> Box<dyn Fn(&[Interval]) -> Vec<Interval> + '_> {
+    fn bounds(&self) -> Bounds<'_> {
         let values: Vec<Interval> = self.values().into_iter().map(Interval::point).collect();
         let loops = Linkage::prepare(self, &values);
         let count = Linkage::shape(self).measures.len();
