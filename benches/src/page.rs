@@ -73,7 +73,7 @@ const PARTS: [(&str, &str, &[&[&str]]); 15] = [
         "A search for dimensions",
         "The six-bar with a dwell (`examples/synthesis/dwell_six_bar.eqn`, scene `best`), by the same differential evolution. By \
          hand a design is looked at in 72 positions, eight designs side by side; Assur finds what is furthest out between them \
-         and whether the linkage gets there, of the designs that are not worse already at a few positions.",
+         and whether the linkage gets there, of the designs that are not worse already at 72.",
         &[&["search"], &["peers", "search"]],
     ),
     (

@@ -26,7 +26,7 @@ pub use extent::limits::{End, Stretch, stretch};
 pub use extent::measures::Measured;
 pub use extent::strokes::{Stroke, strokes};
 #[doc(hidden)]
-pub use extent::survey::Round;
+pub use extent::survey::Sides;
 pub use extent::survey::losers;
 pub use extent::track::Along;
 pub use linkage::any::AnyLinkage;

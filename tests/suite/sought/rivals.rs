@@ -1,4 +1,4 @@
-//! Designs judged beside rivals: few places of a way tell which of them lose, and they do lose.
+//! Designs judged beside rivals: some places of a way tell which of them lose, and they do lose.
 
 use assur::prelude::*;
 use assur::study::Design;
@@ -116,7 +116,7 @@ fn judged(scene: &assur::registry::SceneEntry, count: usize) -> (usize, usize) {
 }
 
 #[test]
-fn designs_that_lose_are_told_by_few_places() {
+fn designs_that_lose_are_told_by_some_places() {
     let (told, losing) = judged(&MECHANISM.scenes[0], 3000);
     assert!(5 * told > 4 * losing, "{told} of {losing}");
 }

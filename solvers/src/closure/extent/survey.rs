@@ -1,7 +1,7 @@
-//! Linkages of one kind that are weighed against others, looked at side by side until each has shown that it is no good.
+//! Linkages of one kind that are weighed against others, looked at side by side at some places.
 //!
-//! What is furthest out at some places of a way is no further than the extreme of the whole way: it bounds measures, and mostly a
-//! few places tell that a linkage loses. Only those that do not are worth the exact way, [`super::measures`].
+//! What is furthest out at some places of a way is no further than the extreme of the whole way: it bounds measures, and mostly
+//! tells that a linkage loses. Only those that do not are worth the exact way, [`super::measures`].
 
 use super::track::Along;
 use crate::closure::error::ClosureError;
@@ -15,14 +15,12 @@ use std::f64::consts::TAU;
 
 /// Places of a way.
 const PLACES: usize = 72;
-/// How many of them have been looked at when linkages are left out that lose.
-const ROUNDS: [usize; 4] = [4, 12, 32, PLACES];
-/// From one place to that which is looked at next, so that few of them are spread over the way.
-const NEXT: usize = 29;
-/// Sine of a transmission angle below which a group may pass a dead point between two places, and change its mode.
+/// Sine of a transmission angle below which a group may pass a change point between two places, and be in its other mode then.
 const DEAD: f64 = 0.1;
 /// Whole turns that angles make without changing quantities that count none.
 const TURNS: [f64; 4] = [7.0, -19.0, 43.0, -91.0];
+/// Places from one at which this is looked at to the next.
+const EACH: usize = 12;
 /// Part of a quantity that counts as none.
 const NOTHING: f64 = 1e-9;
 
@@ -39,6 +37,8 @@ struct Side<'a> {
     modes: Vec<f64>,
     /// Between which bounds each primitive lies.
     found: Vec<Interval>,
+    /// Of each quantity whether it is the same whatever turns angles have made.
+    is_same: Vec<bool>,
     /// Whether it does not close at a place.
     is_open: bool,
     /// Whether it has been so near to a dead point that its modes are not certain.
@@ -61,6 +61,7 @@ impl<'a> Side<'a> {
             standing: guide.independents.to_vec(),
             modes,
             found: vec![Interval::ENTIRE; shape.primitives.len()],
+            is_same: vec![true; shape.measured],
             is_open: false,
             is_unsure: false,
         })
@@ -78,23 +79,34 @@ impl<'a> Side<'a> {
         place
     }
 
-    /// Takes what is seen at a place, `turned` being the same with angles that have made other turns.
-    fn see(&mut self, shape: &Shape, seen: &[f64], turned: &[f64]) {
-        let is_same = |index: usize| {
-            (seen[index] - turned[index]).abs() <= NOTHING * (1.0 + seen[index].abs())
-        };
+    /// Takes what is seen at a place.
+    fn see(&mut self, shape: &Shape, seen: &[f64]) {
         for (primitive, found) in shape.primitives.iter().zip(&mut self.found) {
             let (value, window) = (seen[primitive.argument], primitive.window);
-            let holds = window.is_none_or(|window| seen[window] > 0.0 && is_same(window));
-            if !holds || value.is_nan() || !is_same(primitive.argument) {
-                continue;
-            }
+            let holds = window.is_none_or(|window| seen[window] > 0.0);
             match primitive.kind {
-                Kind::Peak => found.low = found.low.max(value),
-                Kind::Lowest => found.high = found.high.min(value),
+                Kind::Peak if holds => found.low = found.low.max(value),
+                Kind::Lowest if holds => found.high = found.high.min(value),
                 _ => {}
             }
         }
+    }
+
+    /// Compares two sights of one place between which angles have turned.
+    fn compare(&mut self, seen: &[f64], turned: &[f64]) {
+        for ((is_same, a), b) in self.is_same.iter_mut().zip(seen).zip(turned) {
+            *is_same &= (a - b).abs() <= NOTHING * (1.0 + a.abs());
+        }
+    }
+
+    /// Between which bounds each primitive lies.
+    fn bounds(&self) -> Vec<Interval> {
+        let primitives = self.linkage.shape().primitives.iter().zip(&self.found);
+        let bounds = primitives.map(|(primitive, found)| {
+            let mut uses = [Some(primitive.argument), primitive.window].into_iter().flatten();
+            if uses.all(|index| self.is_same[index]) { *found } else { Interval::ENTIRE }
+        });
+        bounds.collect()
     }
 }
 
@@ -114,37 +126,27 @@ pub fn losers(
             Err(_) => lost.push(*index),
         }
     }
-    let mut from = 0;
-    for to in ROUNDS {
-        let Some((first, _)) = sides.first() else { break };
+    if let Some((first, _)) = sides.first() {
         let kind = first.linkage;
-        kind.survey(Round { sides: sides.iter_mut().map(|one| &mut one.0).collect(), from, to });
-        sides.retain(|(side, bounds)| {
-            let is_gone = match side.is_open {
-                true => !side.is_unsure,
-                false => !side.is_unsure && is_lost(side.index, &bounds(&side.found)),
-            };
-            lost.extend(is_gone.then_some(side.index));
-            !is_gone
-        });
-        from = to;
+        kind.survey(Sides(sides.iter_mut().map(|one| &mut one.0).collect()));
+    }
+    for (side, bounds) in &sides {
+        // In which mode it is beyond a change point is not known.
+        if !side.is_unsure && (side.is_open || is_lost(side.index, &bounds(&side.bounds()))) {
+            lost.push(side.index);
+        }
     }
     lost
 }
 
 /// Linkages that are looked at at the same places.
-pub struct Round<'a, 'b> {
-    sides: Vec<&'b mut Side<'a>>,
-    /// The first place, and the one behind the last.
-    from: usize,
-    to: usize,
-}
+pub struct Sides<'a, 'b>(Vec<&'b mut Side<'a>>);
 
 /// The look at them on packs of numbers.
 pub(in crate::closure) struct Looking<'a, 'b, 'c, L> {
     /// One of their kind.
     pub linkage: &'c L,
-    pub round: Round<'a, 'b>,
+    pub sides: Sides<'a, 'b>,
 }
 
 impl<L: Linkage> Task for Looking<'_, '_, '_, L> {
@@ -152,14 +154,14 @@ impl<L: Linkage> Task for Looking<'_, '_, '_, L> {
 
     #[inline(always)]
     fn run<P: Pack>(self) {
-        let Self { linkage, mut round } = self;
-        for sides in round.sides.chunks_mut(P::WIDTH) {
+        let Self { linkage, mut sides } = self;
+        for sides in sides.0.chunks_mut(P::WIDTH) {
             let values: Vec<P> = packed(sides, |side| side.values.clone());
             let modes: Vec<P> = packed(sides, |side| side.modes.clone());
             let loops = linkage.prepare::<P>(&values);
             let (zeros, loops) = (loops.zeros(), Apart(loops));
-            for place in round.from..round.to {
-                look(&loops, (zeros.as_ref(), &modes), sides, place * NEXT % PLACES);
+            for place in 0..PLACES {
+                look(&loops, (zeros.as_ref(), &modes), sides, place);
             }
         }
     }
@@ -175,8 +177,8 @@ fn look<P: Pack>(
 ) {
     let shape = loops.shape();
     let entry = shape.loops();
-    let place: Vec<P> = packed(sides, |side| side.place(place));
-    let (drivers, motion) = place.split_at(shape.drivers.len().min(place.len()));
+    let at: Vec<P> = packed(sides, |side| side.place(place));
+    let (drivers, motion) = at.split_at(shape.drivers.len().min(at.len()));
     let motion = if motion.len() == entry.motion { motion } else { &[] };
     let instant = instant_at(loops, drivers, motion);
     let (mut position, mut sine) = (zeros.to_vec(), [f64::NAN; WIDTH]);
@@ -187,15 +189,21 @@ fn look<P: Pack>(
             side.is_unsure |= entry.groups[group].kind.has_modes() && sine.abs() < DEAD;
         }
     }
-    let (mut seen, mut turned) = (vec![P::ZERO; shape.measured], vec![P::ZERO; shape.measured]);
+    let mut seen = vec![P::ZERO; shape.measured];
     loops.measured(&instant, &position, &mut seen);
-    for (index, _) in entry.angles.iter().enumerate().filter(|one| *one.1) {
-        position[index] = position[index] + P::from_f64(TAU * TURNS[index % TURNS.len()]);
+    let seen = apart(&seen);
+    if place.is_multiple_of(EACH) {
+        for (index, _) in entry.angles.iter().enumerate().filter(|one| *one.1) {
+            position[index] = position[index] + P::from_f64(TAU * TURNS[index % TURNS.len()]);
+        }
+        let mut turned = vec![P::ZERO; shape.measured];
+        loops.measured(&instant, &position, &mut turned);
+        for ((side, seen), turned) in sides.iter_mut().zip(&seen).zip(apart(&turned)) {
+            side.compare(seen, &turned);
+        }
     }
-    loops.measured(&instant, &position, &mut turned);
-    let [seen, turned] = [seen, turned].map(|all| apart(&all));
-    for ((side, seen), turned) in sides.iter_mut().zip(seen).zip(turned) {
-        side.see(shape, &seen, &turned);
+    for (side, seen) in sides.iter_mut().zip(seen) {
+        side.see(shape, &seen);
     }
 }
 

@@ -5,7 +5,7 @@
 
 use super::loops::{Answers, Apart, Loops, Trials};
 use super::problem::{Closure, Linkage, Range};
-use crate::closure::extent::survey::{Looking, Round};
+use crate::closure::extent::survey::{Looking, Sides};
 use crate::closure::position::assembly::Assembly;
 use crate::closure::position::guide::Moves;
 use crate::dispatch::{dispatch, dispatch_packs};
@@ -62,7 +62,7 @@ pub trait AnyLinkage: Send + Sync {
 
     /// Looks at linkages of its kind side by side.
     #[doc(hidden)]
-    fn survey(&self, round: Round<'_, '_>);
+    fn survey(&self, sides: Sides<'_, '_>);
 
     /// Makes linkages at random, block after block until none waits, and counts the classes of their errors.
     #[doc(hidden)]
@@ -125,9 +125,9 @@ impl<L: Linkage> AnyLinkage for L {
         })
     }
 
-    fn survey(&self, round: Round<'_, '_>) {
+    fn survey(&self, sides: Sides<'_, '_>) {
         if L::IS_SOUGHT {
-            let looking = Looking { linkage: self, round };
+            let looking = Looking { linkage: self, sides };
             if self.is_apart() { dispatch(looking) } else { dispatch_packs(looking) }
         }
     }
