@@ -107,7 +107,7 @@ fn no_position_lies_beyond_the_extremes() {
     let compared = each(scenes.len(), 0, &|_| (), &|index| {
         let (mechanism, scene) = scenes[index];
         let (mut random, mut compared) = (Random(1), 0);
-        for number in 0..tries.unwrap_or(6) {
+        for number in 0..tries.unwrap_or(3) {
             let Some(run) = varied(scene, &mut random) else {
                 continue;
             };
