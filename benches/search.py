@@ -53,7 +53,17 @@ def wanted():
     return np.array(found)
 
 
-@njit(cache=False)
+@njit
+def dyad(vx, vy, first, second, mode):
+    """The direction of the first of two links between joints so far apart; NaN where they do not reach."""
+    d2 = vx * vx + vy * vy
+    along = (first * first + d2 - second * second) / (2 * d2)
+    square = first * first / d2 - along * along
+    across = mode * np.sqrt(square) if square >= 0 else np.nan
+    return (along * vx - across * vy) / first, (along * vy + across * vx) / first
+
+
+@njit
 def worth(design, swing):
     """What is made small, or by how much the first condition is missed that is, beyond a hundred."""
     l1, l2, l3, l4, eta, x, y, l6, l7, phi0, psi0, m1, m2 = design
@@ -63,28 +73,18 @@ def worth(design, swing):
         return 100 * (8 + missed * np.arctan(l2 + l3 - l1 - l4))
     if abs(l4 - l1) < abs(l2 - l3):
         return 100 * (7 + missed * np.arctan(abs(l4 - l1) - abs(l2 - l3)))
-    far, near, off, first, second = 0.0, np.inf, 0.0, 1.0, 1.0
+    off, first, second = 0.0, 1.0, 1.0
     for k in range(PLACES):
         phi = phi0 + 2 * np.pi * (k + 0.5) / PLACES - np.pi
         ax, ay = l1 * np.cos(phi), l1 * np.sin(phi)
         vx, vy = l4 * np.cos(eta) - ax, l4 * np.sin(eta) - ay
-        d2 = vx * vx + vy * vy
-        along = (l2 * l2 + d2 - l3 * l3) / (2 * d2)
-        square = l2 * l2 / d2 - along * along
-        if square < 0:
-            return 100 * (4 + 1 - k / PLACES)
-        across = m1 * np.sqrt(square)
-        ux, uy = (along * vx - across * vy) / l2, (along * vy + across * vx) / l2
-        first = min(first, abs((l2 * ux - vx) * uy - (l2 * uy - vy) * ux) / l3)
+        ux, uy = dyad(vx, vy, l2, l3, m1)
         wx, wy = ax + x * ux - y * uy - 36, ay + x * uy + y * ux - 96
-        s2 = wx * wx + wy * wy
-        far, near = max(far, s2), min(near, s2)
-        along = (l7 * l7 + s2 - l6 * l6) / (2 * s2)
-        square = l7 * l7 / s2 - along * along
-        if square < 0:
+        qx, qy = dyad(wx, wy, l7, l6, m2)
+        # That the dyad reaches and folds is the same as that it closes.
+        if np.isnan(qx):
             return 100 * (4 + 1 - k / PLACES)
-        across = m2 * np.sqrt(square)
-        qx, qy = (along * wx - across * wy) / l7, (along * wy + across * wx) / l7
+        first = min(first, abs((l2 * ux - vx) * uy - (l2 * uy - vy) * ux) / l3)
         second = min(second, abs(qx * (l7 * qy - wy) - qy * (l7 * qx - wx)) / l6)
         aim = psi0 - swing[k]
         c, s = np.cos(aim), np.sin(aim)
