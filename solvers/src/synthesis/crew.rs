@@ -12,6 +12,9 @@ const BLOCK: (usize, usize) = (4, 64);
 /// Blocks for each thread, where there are designs enough.
 const BLOCKS: usize = 4;
 
+/// Most threads, whatever is asked for.
+const MOST: usize = 1024;
+
 /// Designs with their scores, the first of which has this place.
 type Block = (usize, Vec<f64>, Vec<Score>);
 
@@ -30,7 +33,7 @@ impl<'a> Crew<'a> {
         scope: &'scope Scope<'scope, 'a>,
     ) -> Self {
         let machine = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-        let threads = if threads == 0 { machine() } else { threads };
+        let threads = if threads == 0 { machine() } else { threads.min(MOST) };
         if threads == 1 {
             return Self { judge, threads, work: None };
         }
