@@ -20,6 +20,7 @@
 //! | [`dense`] | small linear systems |
 //! | [`shape`] | what a scene is made of |
 //! | [`scalar`], [`dispatch`] | the numbers that all of it runs on, and the choice of the instruction set |
+//! | [`threads`] | how many share a work |
 
 pub mod answer;
 pub mod closure;
@@ -43,4 +44,5 @@ pub mod smooth;
 pub mod stiff;
 pub mod synthesis;
 mod taylor;
+pub mod threads;
 pub mod tolerance;

@@ -24,7 +24,6 @@ pub use synthesis::{Candidate, Design, Stand, Unmeasured, seek};
 pub use synthesis::{Held, Polish, Settled, settle};
 pub use trust::{Told, Trust, trust};
 
-use std::num::NonZeroUsize;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -32,6 +31,7 @@ use crate::registry::Bind;
 use assur_solvers::answer::{Error, Question, Settings};
 use assur_solvers::measure::Missing;
 use assur_solvers::problem::Span;
+use assur_solvers::threads;
 
 /// What a run came to: its measures, each with its value or why there is none; or why there is no motion.
 pub type Outcome = Result<Vec<Result<f64, Missing>>, String>;
@@ -68,14 +68,6 @@ pub fn runs(
     })
 }
 
-/// So many threads; as many as the machine has for zero.
-fn threads_of(threads: usize) -> usize {
-    match threads {
-        0 => std::thread::available_parallelism().map_or(1, NonZeroUsize::get),
-        threads => threads,
-    }
-}
-
 /// Does work for each number below `count`, on several threads, and gives the results in their order.
 pub fn each<T: Send>(
     count: usize,
@@ -83,7 +75,7 @@ pub fn each<T: Send>(
     progress: &(dyn Fn(u64) + Sync),
     work: &(dyn Fn(usize) -> T + Sync),
 ) -> Vec<T> {
-    let threads = threads_of(threads);
+    let threads = threads::count(threads);
     let next = AtomicUsize::new(0);
     let gathered = Mutex::new(Vec::with_capacity(count));
     let part = || {

@@ -1,7 +1,7 @@
 //! Threads that judge designs for as long as a search takes.
 
 use super::problem::{Judge, Score};
-use std::num::NonZeroUsize;
+use crate::threads;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -11,9 +11,6 @@ use std::thread::Scope;
 const BLOCK: (usize, usize) = (4, 64);
 /// Blocks for each thread, where there are designs enough.
 const BLOCKS: usize = 4;
-
-/// Most threads, whatever is asked for.
-const MOST: usize = 1024;
 
 /// Designs with their scores, the first of which has this place.
 type Block = (usize, Vec<f64>, Vec<Score>);
@@ -32,8 +29,7 @@ impl<'a> Crew<'a> {
         threads: usize,
         scope: &'scope Scope<'scope, 'a>,
     ) -> Self {
-        let machine = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-        let threads = if threads == 0 { machine() } else { threads.min(MOST) };
+        let threads = threads::count(threads);
         if threads == 1 {
             return Self { judge, threads, work: None };
         }

@@ -7,8 +7,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{SyncSender, sync_channel};
 
 use super::{Candidate, Design, Stand};
-use crate::study::threads_of;
 use assur_solvers::synthesis::{Effort, Found, Population, SynthesisError, search};
+use assur_solvers::threads;
 
 /// News that wait to be heard.
 const WAITING: usize = 16;
@@ -37,7 +37,7 @@ pub fn seek(
     stand: &mut Stand,
     progress: &mut dyn FnMut(&Stand) -> ControlFlow<()>,
 ) -> Result<Vec<Candidate>, SynthesisError> {
-    let (searches, threads) = (searches.max(1), threads_of(effort.threads) as u64);
+    let (searches, threads) = (searches.max(1), threads::count(effort.threads) as u64);
     let beside = threads.min(searches);
     let own = |number: u64| Effort {
         evaluations: effort.evaluations / searches,

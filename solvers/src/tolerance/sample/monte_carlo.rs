@@ -7,11 +7,11 @@ use super::drawing::{BATCH, Block, Blocks, Run};
 use super::estimate::{Counted, Estimate, Sampled, share};
 use super::tally::{CLASSES, Classes, Counts, Sums, cumulate};
 use crate::closure::{AnyLinkage, Linkage};
+use crate::threads;
 use crate::tolerance::error::ToleranceError;
 use crate::tolerance::made::nominal::Nominal;
 use crate::tolerance::random::normal;
 use crate::tolerance::source::Study;
-use std::num::NonZeroUsize;
 use std::sync::Mutex;
 
 /// Fewest samples: one has no spread.
@@ -131,9 +131,7 @@ impl Sampling {
     }
 
     fn threads(&self, blocks: u64) -> u64 {
-        let machine = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-        let wanted = if self.threads == 0 { machine() } else { self.threads };
-        (wanted as u64).clamp(1, blocks.min(1024))
+        (threads::count(self.threads) as u64).clamp(1, blocks)
     }
 }
 
