@@ -4,7 +4,6 @@ use assur_model::checked::RequirementInfo;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::expression::number;
 use crate::layout::Layout;
 
 /// The method of `Scene` that checks them.
@@ -35,41 +34,12 @@ pub fn check(layout: &Layout<'_>) -> TokenStream {
     }
 }
 
-/// `found R = 75 mm, l = 70 mm; expected R < l`
+/// That the values do not meet it.
 fn refused(layout: &Layout<'_>, requirement: &RequirementInfo) -> TokenStream {
-    let name =
-        if requirement.message.is_empty() { &requirement.text } else { &requirement.message };
-    let mut found = Vec::new();
-    let mut values = Vec::new();
-    for index in &requirement.names {
-        let Some(constant) = layout.scene.constants.get(*index) else {
-            continue;
-        };
-        let (field, quantity) = (&layout.constants[*index], &constant.quantity);
-        found.push(
-            format!("{} = {{}} {}", escape(&quantity.name), escape(&quantity.unit))
-                .trim_end()
-                .to_owned(),
-        );
-        let factor = number(quantity.factor);
-        values.push(if quantity.factor == 1.0 {
-            quote!(self.#field)
-        } else {
-            quote!(self.#field / #factor)
-        });
-    }
-    let found =
-        if found.is_empty() { String::new() } else { format!("found {}; ", found.join(", ")) };
-    let reason = format!("{found}expected {}", escape(&requirement.text));
+    let (scene, RequirementInfo { names, message, text, .. }) = (&layout.parameters, requirement);
     quote! {
-        ::core::result::Result::Err(::assur::problem::Refused {
-            name: ::std::string::String::from(#name),
-            reason: ::std::format!(#reason #(, #values)*),
-        })
+        ::core::result::Result::Err(::assur::registry::unmet(
+            shapes_::#scene.constants, &self.values(), &[#(#names),*], (#message, #text),
+        ))
     }
-}
-
-/// A text inside a format string.
-fn escape(text: &str) -> String {
-    text.replace('{', "{{").replace('}', "}}")
 }

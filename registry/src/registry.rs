@@ -5,9 +5,11 @@
 
 mod bind;
 mod linkage;
+mod unit;
 
-pub use bind::{bind, check_values, with};
+pub use bind::{bind, check_values, unmet, with};
 pub use linkage::bind_linkage;
+pub use unit::{si, stated};
 
 use assur_solvers::closure::AnyLinkage;
 use assur_solvers::model::Model;

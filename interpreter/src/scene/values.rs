@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use assur_model::checked::{RequirementInfo, SceneModel, SpanKind};
 use assur_model::program::Program;
-use assur_registry::registry::check_values;
+use assur_registry::registry::{check_values, unmet};
 use assur_solvers::problem::{Refused, Span};
 use assur_solvers::shape::Shape;
 
@@ -77,32 +77,11 @@ impl OfValues {
         check_values(self.shape.constants, values)?;
         let held = self.results(Function::Requirements, &[values], self.requirements.len());
         match self.requirements.iter().zip(held).find(|(_, held)| *held == 0.0) {
-            Some((requirement, _)) => Err(self.refused(requirement, values)),
+            Some((RequirementInfo { names, message, text, .. }, _)) => {
+                Err(unmet(self.shape.constants, values, names, (message, text)))
+            }
             None => Ok(()),
         }
-    }
-
-    /// `found R = 75 mm, l = 70 mm; expected R < l`
-    fn refused(&self, requirement: &RequirementInfo, values: &[f64]) -> Refused {
-        let name = match requirement.message.as_str() {
-            "" => &requirement.text,
-            message => message,
-        };
-        let found = requirement.names.iter().filter_map(|index| {
-            let quantity = &self.shape.constants.get(*index)?.quantity;
-            let value = match quantity.factor {
-                1.0 => values[*index],
-                factor => values[*index] / factor,
-            };
-            let text = format!("{} = {value} {}", quantity.name, quantity.unit);
-            Some(text.trim_end().to_owned())
-        });
-        let found: Vec<String> = found.collect();
-        let found = match found.as_slice() {
-            [] => String::new(),
-            found => format!("found {}; ", found.join(", ")),
-        };
-        Refused { name: name.to_string(), reason: format!("{found}expected {}", requirement.text) }
     }
 
     /// The task.

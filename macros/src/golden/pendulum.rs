@@ -126,10 +126,14 @@ mod pendulum_ {
             ::assur::registry::check_values(shapes_::Swing.constants, &self.values())?;
             let [require_0_] = self.requirements_::<f64>();
             if !<f64 as ::assur::scalar::Scalar>::holds(require_0_) {
-                return ::core::result::Result::Err(::assur::problem::Refused {
-                    name: ::std::string::String::from("the rod has to be short"),
-                    reason: ::std::format!("found l = {} m; expected l < 50 m", self.l),
-                });
+                return ::core::result::Result::Err(
+                    ::assur::registry::unmet(
+                        shapes_::Swing.constants,
+                        &self.values(),
+                        &[0usize],
+                        ("the rod has to be short", "l < 50 m"),
+                    ),
+                );
             }
             ::core::result::Result::Ok(())
         }
@@ -358,7 +362,7 @@ mod pendulum_ {
                     EquationText::new(12, "potential -m*g*l*cos(phi)", "N m"),
                 ],
             )
-            .operations(Operations::of([7, 0, 3, 3, 6, 0, 3, 1]))
+            .operations(Operations::of([7, 0, 3, 3, 6, 0, 3, 1, 0]))
             .expectations(
                 &[
                     Expectation::new(

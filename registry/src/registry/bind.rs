@@ -2,7 +2,9 @@
 
 use assur_solvers::model::{Bound, Model};
 use assur_solvers::problem::{Refused, Scene};
-use assur_solvers::shape::Constant;
+use assur_solvers::shape::{Constant, Quantity};
+
+use super::unit::stated;
 
 /// Checks the values of a scene and prepares it.
 ///
@@ -35,10 +37,7 @@ pub fn with<C, const N: usize>(values: &[f64], make: fn(&[f64; N]) -> C) -> Resu
 pub fn check_values(constants: &[Constant], values: &[f64]) -> Result<(), Refused> {
     for (constant, value) in constants.iter().zip(values) {
         let quantity = &constant.quantity;
-        let shown = |value: f64| match quantity.unit {
-            "" => format!("{}", tidy(value)),
-            unit => format!("{} {unit}", tidy(value / quantity.factor)),
-        };
+        let shown = |value: f64| shown(quantity, value);
         let (low, high) = constant.range;
         let expected = match (low.is_finite(), high.is_finite()) {
             _ if !value.is_finite() => "a finite value".to_string(),
@@ -55,15 +54,36 @@ pub fn check_values(constants: &[Constant], values: &[f64]) -> Result<(), Refuse
     Ok(())
 }
 
-/// A number without the rounding of its unit's factor.
-fn tidy(value: f64) -> f64 {
-    format!("{value:.12e}").parse().unwrap_or(value)
+/// That values do not meet a condition on them, `found R = 75 mm, l = 70 mm; expected R < l`: by its name, or else the
+/// condition itself. The indices are of the constants that stand in it.
+#[doc(hidden)]
+pub fn unmet(
+    constants: &[Constant],
+    values: &[f64],
+    indices: &[usize],
+    (name, condition): (&str, &str),
+) -> Refused {
+    let found = indices.iter().filter_map(|index| {
+        let quantity = &constants.get(*index)?.quantity;
+        Some(format!("{} = {}", quantity.name, shown(quantity, *values.get(*index)?)))
+    });
+    let found: Vec<String> = found.collect();
+    let found = match found.as_slice() {
+        [] => String::new(),
+        found => format!("found {}; ", found.join(", ")),
+    };
+    let name = if name.is_empty() { condition } else { name };
+    Refused { name: name.to_owned(), reason: format!("{found}expected {condition}") }
+}
+
+/// A value in the unit of its quantity.
+fn shown(quantity: &Quantity, value: f64) -> String {
+    format!("{} {}", stated(value, quantity.factor), quantity.unit).trim_end().to_owned()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use assur_solvers::shape::Quantity;
 
     const MASS: Constant = Constant {
         quantity: Quantity {

@@ -367,26 +367,27 @@ impl ::assur::problem::Scene for Elastic {
         ::assur::registry::check_values(shapes_::Elastic.constants, &self.values())?;
         let [require_0_, require_1_] = self.requirements_::<f64>();
         if !<f64 as ::assur::scalar::Scalar>::holds(require_0_) {
-            return ::core::result::Result::Err(::assur::problem::Refused {
-                name: ::std::string::String::from(
-                    "the connecting rod has to be longer than the crank",
+            return ::core::result::Result::Err(
+                ::assur::registry::unmet(
+                    shapes_::Elastic.constants,
+                    &self.values(),
+                    &[0usize, 1usize],
+                    ("the connecting rod has to be longer than the crank", "R < l"),
                 ),
-                reason: ::std::format!(
-                    "found R = {} mm, l = {} mm; expected R < l", self.R / 0.001, self.l
-                    / 0.001
-                ),
-            });
+            );
         }
         if !<f64 as ::assur::scalar::Scalar>::holds(require_1_) {
-            return ::core::result::Result::Err(::assur::problem::Refused {
-                name: ::std::string::String::from(
-                    "the flexibilities of the bar have to be positive definite",
+            return ::core::result::Result::Err(
+                ::assur::registry::unmet(
+                    shapes_::Elastic.constants,
+                    &self.values(),
+                    &[10usize, 11usize, 12usize],
+                    (
+                        "the flexibilities of the bar have to be positive definite",
+                        "d33*d44 > d34^2",
+                    ),
                 ),
-                reason: ::std::format!(
-                    "found d33 = {} m/N, d44 = {} m/N, d34 = {} m/N; expected d33*d44 > d34^2",
-                    self.d33, self.d44, self.d34
-                ),
-            });
+            );
         }
         ::core::result::Result::Ok(())
     }
