@@ -188,7 +188,12 @@ impl SceneModel {
             }
             None => (results.derivative.clone(), results.slopes().collect()),
         };
-        self.program.counts(staging, &evaluated, &slopes)
+        let mut counts = self.program.counts(staging, &evaluated, &slopes);
+        for mode in &self.modes {
+            let rates = &mode.program.results.derivative;
+            counts.unfelt += mode.program.series(rates).map_or(0, |series| series.unfelt(rates));
+        }
+        counts
     }
 }
 

@@ -5,7 +5,7 @@
 //! They say nothing of what the series does not feel, a jump of the rates or a branch that is left. So the rates at the end of
 //! the step are compared with those of the series there, whose difference is the derivative of the first term that was left
 //! out: that is the error of the step. What changes and changes back meanwhile, as the sign of a friction that a steep `tanh` smooths,
-//! is looked for in between.
+//! is looked for in between, unless the equations are made of what cannot.
 
 use crate::model::Flow;
 use crate::ode::{
@@ -27,7 +27,7 @@ const SHORTER: f64 = 1e6;
 const POWERS: usize = 4;
 /// Whoever wants to know the stiffness hears of it once in so many steps.
 const FELT: usize = 16;
-/// Parts of a step at which it is looked at as well: multiples of the golden section, which keep out of step with whatever swings.
+/// Those where something may change and change back: multiples of the golden section, which keep out of step with whatever swings.
 const BETWEEN: [f64; 3] = [0.236, 0.472, 0.708];
 /// How often a shorter length is tried.
 const ATTEMPTS: usize = 60;
@@ -118,7 +118,7 @@ impl Taylor {
         // The length on which the terms are based: any would do, were numbers not limited.
         let mut unit = first.min(span.abs()).copysign(span);
         statistics.evaluations += self.begin(flow, clock.now, &mut unit)?;
-        let is_fixed = clock.fixed.is_some();
+        let (is_fixed, between) = (clock.fixed.is_some(), between(flow));
         let mut doubt = Doubt::new(options.max_steps);
         // A step that the time does not feel would lead nowhere.
         let shortest = SHORTEST * f64::EPSILON * times.0.abs().max(times.1.abs());
@@ -139,8 +139,8 @@ impl Taylor {
             }
             let to = clock.target(limited, statistics.steps);
             let length = to - clock.now;
-            let (error, component) = self.look(flow, (clock.now, to), unit, options);
-            statistics.evaluations += 1 + BETWEEN.len();
+            let (error, component) = self.look(flow, ((clock.now, to), between), unit, options);
+            statistics.evaluations += 1 + between.len();
             let is_good = error <= 1.0 || is_fixed && error.is_finite();
             if !is_good {
                 statistics.rejected += 1;
@@ -262,12 +262,12 @@ impl Taylor {
     fn look(
         &mut self,
         flow: &Flow<'_>,
-        (from, to): (f64, f64),
+        ((from, to), between): ((f64, f64), &[f64]),
         unit: f64,
         options: &Options,
     ) -> (f64, usize) {
         let mut worst = (0.0, 0);
-        for part in BETWEEN.into_iter().chain([1.0]) {
+        for part in between.iter().copied().chain([1.0]) {
             let length = part * (to - from);
             self.cut_off(length / unit);
             flow.rates(if part == 1.0 { to } else { from + length }, &self.after, &mut self.rate);
@@ -375,6 +375,14 @@ impl Taylor {
             true => OdeError::StepTooSmall { time, step, component },
             false => OdeError::NotFinite { time, component },
         }
+    }
+}
+
+/// Parts of a step at which it is looked at beside its end.
+fn between(flow: &Flow<'_>) -> &'static [f64] {
+    match flow.shape().operations.unfelt {
+        0 if !flow.is_loose() => &[],
+        _ => &BETWEEN,
     }
 }
 

@@ -3,7 +3,8 @@
 use crate::solved::bind;
 use assur::answer::{Method, Settings, Solve};
 use assur::hybrid::{self, HybridError};
-use assur::ode::{self, OdeError};
+use assur::ode::{self, OdeError, Statistics};
+use assur::problem::Scene;
 use assur_equations::REGISTRY;
 
 /// Every scene that moves ends where the other method ends, with the same events on the way.
@@ -187,6 +188,61 @@ mod relaxation {
         output x, v;
         scene relaxation "a good period" { run time 0 s .. 2 s; }
     }
+}
+
+mod fourth {
+    assur::mechanism! {
+        /// What grows by a power of a sine of whose changes the terms tell.
+        Fourth from "made up";
+        state v: 1 = 0;
+        let turn = 1[1/s]*time;
+        motion push: dot(v) = sin(turn + 0.1)^4*1[1/s];
+        output v;
+        scene go { run time 0 s .. 20 s; }
+    }
+}
+
+mod fortieth {
+    assur::mechanism! {
+        /// What grows by a power of a sine that is next to nothing for most of a turn.
+        Fortieth from "made up";
+        state v: 1 = 0;
+        let turn = 1[1/s]*time;
+        motion push: dot(v) = sin(turn + 0.1)^40*1[1/s];
+        output v;
+        scene go { run time 0 s .. 20 s; }
+    }
+}
+
+/// Where the terms tell all, steps are looked at at their ends alone, and lose nothing by it; where they do not, also in between.
+#[test]
+fn steps_are_looked_at_where_the_terms_may_not_tell() {
+    fn check(go: &impl Scene, power: i32, looks: usize) {
+        let rate = |time: f64| (time + 0.1).sin().powi(power);
+        // By Simpson's rule, to rounding.
+        let parts = 20_000;
+        let h = 20.0 / f64::from(parts);
+        let sum: f64 = (0..parts)
+            .map(|k| {
+                let from = f64::from(k) * h;
+                rate(from) + 4.0 * rate(from + h / 2.0) + rate(from + h)
+            })
+            .sum();
+        let exact = sum * h / 6.0;
+        for rtol in [1e-4, 1e-6, 1e-9, 1e-12] {
+            let settings = Settings::new(Method::Taylor).rtol(rtol);
+            let motion = hybrid::march(go, (0.0, 20.0), &[0.0], &settings).expect("it goes on");
+            let Statistics { steps, rejected, evaluations, .. } = motion.statistics;
+            assert!(
+                (motion.end[0] - exact).abs() < 1e2 * rtol,
+                "{power} {rtol:e}: {:?}",
+                motion.end
+            );
+            assert_eq!(evaluations, (steps + rejected) * looks + steps, "{power} {rtol:e}");
+        }
+    }
+    check(&fourth::Go::default(), 4, 1);
+    check(&fortieth::Go::default(), 40, 4);
 }
 
 /// Currents that build up in a motor: what `auto` chooses takes less than a tenth of the steps of the explicit method, and is accurate

@@ -24,13 +24,16 @@ pub struct Counts {
     pub term: usize,
     /// Sums over all terms so far that each term of the series takes.
     pub sums: usize,
+    /// Values, in all modes, that may change within a step and change back without that the terms of the series tell.
+    pub unfelt: usize,
 }
 
 impl Counts {
     /// All of them.
-    pub fn all(&self) -> [usize; 8] {
-        let Self { prepare, instant, derivative, jacobian, outputs, functions, term, sums } = *self;
-        [prepare, instant, derivative, jacobian, outputs, functions, term, sums]
+    pub fn all(&self) -> [usize; 9] {
+        let Self { prepare, instant, derivative, jacobian, outputs, functions, term, sums, unfelt } =
+            *self;
+        [prepare, instant, derivative, jacobian, outputs, functions, term, sums, unfelt]
     }
 }
 
@@ -44,12 +47,13 @@ impl Program {
         let list = |values: &BTreeSet<Value>| values.iter().copied().collect::<Vec<Value>>();
         let there = |value: Value| stored(value, Stage::Instant) || staging.timed.contains(&value);
         let series = self.series(&self.results.derivative);
-        let (term, sums) = series.map_or((0, 0), |series| series.counts());
+        let (term, sums) = series.as_ref().map_or((0, 0), |series| series.counts());
         let moving = self.needed(evaluated, &|value| self.stage(value) < Stage::Instant);
         Counts {
             functions: moving.iter().filter(|value| self.is_long(**value)).count(),
             term,
             sums,
+            unfelt: series.map_or(0, |series| series.unfelt(&self.results.derivative)),
             prepare: count(&list(&staging.prepared), Stage::Constant),
             instant: count(&list(&staging.timed), Stage::Instant),
             derivative: count(evaluated, Stage::State),

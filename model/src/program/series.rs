@@ -4,12 +4,15 @@
 //! recurrence gives the next one. Whoever runs the program, printed or interpreted, does the steps in their order, once
 //! for each order.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Function, Input, OperationKind as Kind, Pair, Program, Stage, Value};
+use super::{Function, Input, OperationKind as Kind, Pair, Program, Relation, Stage, Value};
 
 /// Most operations of a series: rustc is slow on longer scopes.
 const LONGEST: usize = 600;
+
+/// Highest degree of what cannot vanish so that a series of few terms does not tell.
+const HIGHEST: usize = 4;
 
 /// How the terms of some values follow from each other.
 #[derive(Clone, Debug)]
@@ -61,6 +64,65 @@ impl Series<'_> {
         let values = || self.needed.iter().copied();
         let operations = values().map(|value| self.program.kind(value).weight());
         (operations.sum::<usize>().max(1), values().map(|value| self.sums(value)).sum())
+    }
+
+    /// How many values may change within a step and change back without that its terms tell: branches, what saturates or has
+    /// poles beside the real axis, high powers. Other sums and products of sines and cosines have terms where they change. Sides of
+    /// switching surfaces are held all along a step, and what says them otherwise does not count.
+    pub fn unfelt(&self, wanted: &[Value]) -> usize {
+        let mut degrees: BTreeMap<Value, usize> = BTreeMap::new();
+        for value in &self.reached(wanted) {
+            let degree =
+                self.degree(*value, &|operand| degrees.get(&operand).copied().unwrap_or(0));
+            degrees.insert(*value, degree);
+        }
+        degrees.values().filter(|degree| **degree > HIGHEST).count()
+    }
+
+    /// What some values are made of where the sides of switching surfaces are held.
+    fn reached(&self, wanted: &[Value]) -> BTreeSet<Value> {
+        let (mut reached, mut open) = (BTreeSet::new(), wanted.to_vec());
+        while let Some(value) = open.pop() {
+            if !self.needed.contains(&value) || !reached.insert(value) {
+                continue;
+            }
+            match self.program.kind(value) {
+                Kind::Select { condition, otherwise, .. } if self.asks_for_side(*condition) => {
+                    open.push(*otherwise);
+                }
+                kind => open.extend(kind.operands()),
+            }
+        }
+        reached
+    }
+
+    /// Whether a condition is that a side is left to the values.
+    fn asks_for_side(&self, condition: Value) -> bool {
+        let is_side =
+            |value: &Value| matches!(self.program.kind(*value), Kind::Input(Input::Side(_)));
+        matches!(self.program.kind(condition), Kind::Compare(Relation::Equal, a, b) if is_side(a) || is_side(b))
+    }
+
+    /// The degree of a value in time, states, sines and cosines; above the highest where it is no polynomial.
+    fn degree(&self, value: Value, of: &dyn Fn(Value) -> usize) -> usize {
+        let kind = self.program.kind(value);
+        let largest = || kind.operands().into_iter().map(of).max().unwrap_or(0);
+        let product = |a: &Value, b: &Value| (of(*a) + of(*b)).min(1 + HIGHEST);
+        match kind {
+            Kind::Input(Input::Time | Input::State(_)) => 1,
+            Kind::Add(..) | Kind::Subtract(..) | Kind::Negate(_) => largest(),
+            Kind::Multiply(a, b) => product(a, b),
+            Kind::MultiplyAdd(a, b, c)
+            | Kind::MultiplySubtract(a, b, c)
+            | Kind::NegateMultiplyAdd(a, b, c) => product(a, b).max(of(*c)),
+            Kind::Divide(a, below) if of(*below) == 0 => of(*a),
+            Kind::Solve { factor, .. } if of(*factor) == 0 => largest(),
+            Kind::Element { .. } => largest(),
+            Kind::Select { condition, .. } if of(*condition) == 0 => largest(),
+            Kind::Call(Function::Sin | Function::Cos, _) => largest(),
+            _ if largest() == 0 => 0,
+            _ => 1 + HIGHEST,
+        }
     }
 
     /// How many sums over all terms so far a value takes.

@@ -87,3 +87,37 @@ fn a_series_says_what_has_terms_and_what_is_decided() {
     assert_eq!((even, decided), (vec![false, true], 2));
     assert!(series.operations() > steps.len());
 }
+
+/// Where the rates are sums and products of sines a step of the series need not be looked at in between.
+#[test]
+fn what_the_terms_of_a_series_may_not_tell_is_counted() {
+    let unfelt = |rate: &str| {
+        let text = format!(
+            "Push from \"made up\";
+            parameter k = 3;
+            state x: 1 = 0.1, v: 1 = 1;
+            let turn = 1[1/s]*time;
+            motion one: dot(x) = v*cos(turn)*1[1/s];
+            motion other: dot(v) = (k*x + {rate})*1[1/s];
+            output x;
+            scene go {{ run time 0 s .. 1 s; }}"
+        );
+        let program = first_scene(&text).program;
+        let rates = &program.results.derivative;
+        program.series(rates).unwrap().unfelt(rates)
+    };
+    for felt in [
+        "sin(turn)",
+        "-sign(v)",
+        "abs(x)",
+        "if v < 0 { -x } else { k*x }",
+        "k*x*cos(2*turn)*v - x^3/k",
+        "sin(x)*sin(v)*sin(turn)^2",
+        "exp(k)*x",
+    ] {
+        assert_eq!(unfelt(felt), 0, "{felt}");
+    }
+    for hidden in ["tanh(x)", "1/(1 + x^2)", "sqrt(1 + x^2)", "sin(turn)^12", "exp(-x^2)"] {
+        assert!(unfelt(hidden) > 0, "{hidden}");
+    }
+}

@@ -70,6 +70,14 @@ impl<'a> Flow<'a> {
         self.sides[surface] = side;
     }
 
+    /// Whether the sides of some switching surfaces are left to the values.
+    pub(crate) fn is_loose(&self) -> bool {
+        let mode = self.shape().modes.get(self.mode);
+        let surfaces =
+            mode.into_iter().flat_map(|mode| mode.events).filter_map(|event| event.surface);
+        surfaces.into_iter().any(|surface| self.phase().side(surface) == 0.0)
+    }
+
     #[inline]
     fn phase(&self) -> Phase<'_, f64> {
         Phase { mode: self.mode, sides: &self.sides }

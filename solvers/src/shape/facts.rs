@@ -33,6 +33,8 @@ pub struct Operations {
     pub term: usize,
     /// Sums over all terms so far that each term of the series takes.
     pub sums: usize,
+    /// Values, in all modes, that may change within a step and change back without that the terms of the series tell.
+    pub unfelt: usize,
 }
 
 /// A place that plots show.
@@ -121,10 +123,10 @@ impl EquationText {
 impl Operations {
     /// In the order of the fields.
     #[doc(hidden)]
-    pub const fn of(
-        [prepare, instant, derivative, jacobian, outputs, functions, term, sums]: [usize; 8],
-    ) -> Self {
-        Self { prepare, instant, derivative, jacobian, outputs, functions, term, sums }
+    pub const fn of(counts: [usize; 9]) -> Self {
+        let [prepare, instant, derivative, jacobian, outputs, functions, term, sums, unfelt] =
+            counts;
+        Self { prepare, instant, derivative, jacobian, outputs, functions, term, sums, unfelt }
     }
 }
 

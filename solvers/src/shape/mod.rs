@@ -129,7 +129,8 @@ impl Shape {
             measured: 0,
             synthesis: None,
             equations: &[],
-            operations: Operations::of([0; 8]),
+            // Nothing is known of what moves it: a step of a series is looked at in between.
+            operations: Operations::of([0, 0, 0, 0, 0, 0, 0, 0, 1]),
             marks: &[],
             expectations: &[],
             is_linear: false,

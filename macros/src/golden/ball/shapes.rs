@@ -34,7 +34,7 @@ mod shapes_ {
         .coordinates(1)
         .outputs(list_0_)
         .equations(&[EquationText::new(11, "motion M*ddot(h) = -M*g", "N")])
-        .operations(Operations::of([1, 0, 0, 0, 0, 0, 1, 0]))
+        .operations(Operations::of([1, 0, 0, 0, 0, 0, 1, 0, 0]))
         .modes(
             &[
                 ModeEntry::new(

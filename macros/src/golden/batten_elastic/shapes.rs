@@ -238,7 +238,7 @@ mod shapes_ {
                 EquationText::new(111, "potential stiffness(u3, u4)/2", "N m"),
             ],
         )
-        .operations(Operations::of([73, 31, 27, 28, 112, 0, 58, 13]))
+        .operations(Operations::of([73, 31, 27, 28, 112, 0, 58, 13, 4]))
         .marks(
             &[
                 Mark::new("rear dead centre", At::Driver(0, 0.0)),

@@ -61,7 +61,7 @@ mod shapes_ {
                 ),
             ],
         )
-        .operations(Operations::of([22, 35, 13, 22, 0, 2, 1, 0]))
+        .operations(Operations::of([22, 35, 13, 22, 0, 2, 1, 0, 0]))
         .linkage(LinkageEntry {
             dependents: list_2_,
             loops: &[
