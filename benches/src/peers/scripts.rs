@@ -55,9 +55,9 @@ fn has_any((_, points): &(&str, Vec<Option<Point>>)) -> bool {
 
 /// A run in a line like `["DOP853", 1e-05, 1234, 2.5e-07, 0.012]`.
 fn read(line: &str, method: &str) -> Option<Point> {
-    let line = line.trim().strip_prefix('[')?.strip_suffix(']')?;
-    let (name, numbers) = line.split_once(", ")?;
-    if name.trim_matches('"') != method {
+    let line = line.trim().strip_prefix("[\"")?.strip_suffix(']')?;
+    let (name, numbers) = line.split_once("\", ")?;
+    if name != method {
         return None;
     }
     let numbers: Result<Vec<f64>, _> = numbers.split(", ").map(str::parse).collect();
@@ -78,5 +78,7 @@ mod tests {
         assert_eq!((point.evaluations, point.seconds), (1234, 0.012));
         assert!(read("[\"RK45\", 1e-05, 1234, 2.5e-07, 0.012]", "LSODA").is_none());
         assert!(read("[\"RK45\", null]", "RK45").is_none());
+        let named = "[\"SciPy, numba\", 1e-05, 1234, 2.5e-07, 0.012]";
+        assert!(read(named, "SciPy, numba").is_some());
     }
 }
