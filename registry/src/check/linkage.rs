@@ -2,7 +2,7 @@
 
 use super::Failed;
 use super::resolve::resolved;
-use assur_solvers::closure::{Answers, AnyLinkage, Guide, Square, Variable, instant_at};
+use assur_solvers::closure::{Answers, AnyLinkage, Guide, Square, Variable};
 use assur_solvers::dense::Lu;
 use assur_solvers::scalar::Dual;
 use assur_solvers::shape::LinkageEntry;
@@ -75,7 +75,7 @@ impl<'a> Position<'a> {
     pub(super) fn of(linkage: &'a dyn AnyLinkage, guide: &Guide<'_, f64>, motion: &[f64]) -> Self {
         let (loops, entry) = (guide.loops, linkage.shape().loops());
         let (independents, position) = (guide.independents.to_vec(), guide.position.to_vec());
-        let instant = instant_at(loops, &independents, motion);
+        let instant = loops.instant_row(&independents, motion);
         let (outputs, variables) = (linkage.shape().outputs.len(), entry.variables.len());
         let mut influence = vec![0.0; outputs * variables];
         loops.influence(&instant, &position, &mut influence);
@@ -215,7 +215,7 @@ impl<'a> Position<'a> {
         };
         let loops = self.linkage.differentiate(&dual(&self.values, constant));
         let independents = dual(&self.independents, driver);
-        let instant = instant_at(&*loops, &independents, &dual(&self.motion, None));
+        let instant = loops.instant_row(&independents, &dual(&self.motion, None));
         let mut position = dual(&self.position, None);
         for group in 0..self.entry.groups.len() {
             self.close(&*loops, group, &instant, &mut position)?;

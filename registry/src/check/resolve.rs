@@ -2,7 +2,7 @@
 
 use super::Failed;
 use super::linkage::{Position, compare};
-use assur_solvers::closure::{AnyLinkage, Variable, instant_at};
+use assur_solvers::closure::{AnyLinkage, Variable};
 
 /// Largest deviation from a difference of positions, whose rounding grows as its step shrinks, as a share of the largest
 /// derivative by the same variable.
@@ -37,7 +37,7 @@ pub(super) fn resolved(linkage: &dyn AnyLinkage, here: &Position<'_>) -> Result<
         let mut guide = assembly.guide();
         let started = guide.start_at(&here.independents, near);
         started.map_err(|error| Failed(error.to_string()))?;
-        let instant = instant_at(guide.loops, guide.independents, &here.motion);
+        let instant = guide.loops.instant_row(guide.independents, &here.motion);
         let mut list = vec![0.0; here.outputs()];
         guide.loops.outputs(&instant, guide.position, &mut list);
         Ok(list)

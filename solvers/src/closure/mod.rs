@@ -34,7 +34,7 @@ pub use linkage::any::AnyLinkage;
 pub use linkage::any::Bounds;
 pub(crate) use linkage::derivative::{duals, keep_closed};
 #[doc(hidden)]
-pub use linkage::loops::{Answers, Apart, Loops, Square, Trials, instant_at};
+pub use linkage::loops::{Answers, Apart, Loops, Square, Trials};
 pub use linkage::problem::{Closure, Linkage, Range};
 pub use modes::listing::{Listed, Listing};
 pub use modes::{AssemblyMode, AssemblyModes, Search, modes};

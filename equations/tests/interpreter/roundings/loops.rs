@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assur::closure::{
-    Answers as _, AnyLinkage, Apart, Closure, Linkage, Loops as _, Square, Trials as _, instant_at,
+    Answers as _, AnyLinkage, Apart, Closure, Linkage, Loops as _, Square, Trials as _,
 };
 use assur::registry::SceneEntry;
 use assur::scalar::Scalar;
@@ -31,7 +31,7 @@ impl<S: Scalar> Here<S> {
     fn functions<C: Closure<S>>(&self, loops: Apart<C>) -> Functions<S> {
         let shape = loops.shape();
         let entry = shape.loops();
-        let instant = instant_at(&loops, &self.at, &self.motion);
+        let instant = loops.instant_row(&self.at, &self.motion);
         let mut found: Functions<S> = Vec::new();
         // Slopes of the loops, and what is kept beside the coordinates.
         let mut position = self.position.clone();

@@ -4,7 +4,7 @@ use super::{Dimension, SYSTEMS, TIME, Units};
 use crate::check::Failed;
 use crate::check::linkage::{PLACES, place};
 use crate::registry::{Mechanism, SceneEntry};
-use assur_solvers::closure::{Answers, AnyLinkage, Apart, Linkage, Variable, instant_at};
+use assur_solvers::closure::{Answers, AnyLinkage, Apart, Linkage, Variable};
 use assur_solvers::scalar::{Bounded, Scalar};
 use assur_solvers::shape::Quantity;
 
@@ -151,7 +151,7 @@ impl Here {
         let loops = prepare(&bounded(&self.values));
         let (shape, place) = (loops.shape(), bounded(&self.place));
         let (drivers, motion) = place.split_at(shape.drivers.len());
-        let instant = instant_at(&*loops, drivers, motion);
+        let instant = loops.instant_row(drivers, motion);
         let position = bounded(&self.position);
         let mut outputs = vec![Bounded::ZERO; shape.outputs.len()];
         loops.outputs(&instant, &position, &mut outputs);

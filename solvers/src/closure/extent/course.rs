@@ -9,7 +9,7 @@ use super::walk::Walk;
 use crate::closure::error::ClosureError;
 use crate::closure::linkage::any::AnyLinkage;
 use crate::closure::linkage::derivative::{duals, keep_closed};
-use crate::closure::linkage::loops::{Answers, instant_at};
+use crate::closure::linkage::loops::Answers;
 use crate::scalar::{Dual, Scalar};
 
 /// Parts of a whole way, in each of which an extreme may lie.
@@ -193,7 +193,7 @@ impl<'a> Course<'a> {
 
 /// How so many quantities change at a position with what the drivers, or the loops, are differentiated by.
 fn changes(loops: &dyn Answers<Dual>, drivers: &[Dual], stand: &[f64], count: usize) -> Vec<f64> {
-    let instant = instant_at(loops, drivers, &[]);
+    let instant = loops.instant_row(drivers, &[]);
     let mut position = duals(stand, None);
     let mut there = vec![Dual::ZERO; count];
     match keep_closed(loops, &instant, &mut position) {

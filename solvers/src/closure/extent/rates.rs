@@ -1,7 +1,7 @@
 //! Outputs and dependent coordinates with their rates by whatever moves the linkage, the loops closed.
 
 use crate::closure::linkage::any::AnyLinkage;
-use crate::closure::linkage::loops::{Answers, Square, instant_at};
+use crate::closure::linkage::loops::{Answers, Square};
 use crate::closure::position::guide::Guide;
 use crate::scalar::{Dual, Scalar};
 
@@ -9,7 +9,7 @@ use crate::scalar::{Dual, Scalar};
 fn strike(guide: &mut Guide<'_, f64>, place: &[Dual], outputs: &mut [Dual]) {
     let place: Vec<f64> = place.iter().map(|x| x.value).collect();
     let (independents, motion) = place.split_at(guide.independents.len());
-    let instant = instant_at(guide.loops, independents, motion);
+    let instant = guide.loops.instant_row(independents, motion);
     let mut values: Vec<f64> = outputs.iter().map(|one| one.value).collect();
     guide.strike_undetermined(&instant, &mut values);
     for (output, value) in outputs.iter_mut().zip(values) {
@@ -45,7 +45,7 @@ impl Rates {
         let loops = guide.loops;
         loops.coefficients(guide.instant, guide.position, &mut self.columns);
         let (independents, motion) = place.split_at(guide.independents.len());
-        let instant = instant_at(&*self.loops, independents, motion);
+        let instant = self.loops.instant_row(independents, motion);
         let dependents = guide.entry.dependents.len();
         for j in 0..dependents {
             let by = |(driver, x): (usize, &Dual)| match x.slope {

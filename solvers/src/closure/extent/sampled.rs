@@ -2,7 +2,6 @@
 
 use super::track::Along;
 use crate::closure::linkage::any::AnyLinkage;
-use crate::closure::linkage::loops::instant_at;
 
 /// All quantities that measures look at, at the middles of so many parts of a way, the loops of these groups closed as they are put
 /// together where the linkage starts: what needs others means nothing. None where one of them does not close.
@@ -15,7 +14,7 @@ pub fn sampled_of(
     let mut assembly = linkage.assemble();
     let mut guide = assembly.guide();
     let (standing, near) = (guide.declared(), linkage.start());
-    let instant = instant_at(guide.loops, &standing, &[]);
+    let instant = guide.loops.instant_row(&standing, &[]);
     guide.place_some(groups.iter().copied(), &standing, &instant, &near).ok()?;
     let (from, to) = along.bounds();
     let place = |part: usize| {
@@ -28,7 +27,7 @@ pub fn sampled_of(
                 motion = drivers.split_off(standing.len());
             }
         }
-        let instant = instant_at(guide.loops, &drivers, linkage.motion(&motion));
+        let instant = guide.loops.instant_row(&drivers, linkage.motion(&motion));
         for &group in groups {
             let mode = guide.mode(group);
             if !guide.closed(group, &instant, mode).is_finite() {

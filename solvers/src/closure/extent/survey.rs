@@ -6,7 +6,7 @@
 use super::track::Along;
 use crate::closure::error::ClosureError;
 use crate::closure::linkage::any::AnyLinkage;
-use crate::closure::linkage::loops::{Apart, Loops, instant_at};
+use crate::closure::linkage::loops::{Apart, Loops};
 use crate::closure::linkage::problem::{Closure, Linkage};
 use crate::dispatch::Task;
 use crate::scalar::{Interval, Pack, WIDTH};
@@ -180,7 +180,7 @@ fn look<P: Pack>(
     let at: Vec<P> = packed(sides, |side| side.place(place));
     let (drivers, motion) = at.split_at(shape.drivers.len().min(at.len()));
     let motion = if motion.len() == entry.motion { motion } else { &[] };
-    let instant = instant_at(loops, drivers, motion);
+    let instant = loops.instant_row(drivers, motion);
     let (mut position, mut sine) = (zeros.to_vec(), [f64::NAN; WIDTH]);
     for (group, mode) in modes.iter().enumerate() {
         loops.close(group, &instant, *mode, &mut position).store(&mut sine);

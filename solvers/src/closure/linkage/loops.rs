@@ -16,7 +16,7 @@ pub trait Trials<S: Scalar>: Send + Sync {
     /// See [`Closure::instant`] and [`Closure::moving`]; no motion where it is not known.
     fn instant(&self, independents: &[S], motion: &[S], instant: &mut [S]);
 
-    /// The same as a row of its own.
+    /// The same as a row of its own: what depends on the independent variables alone, and on how they move where that is known.
     fn instant_row(&self, independents: &[S], motion: &[S]) -> Vec<S>;
 
     /// See [`Closure::trial`].
@@ -64,15 +64,6 @@ pub trait Loops<S: Scalar>: Answers<S> {
 
     /// See [`Closure::points`].
     fn points(&self, instant: &[S], position: &[S], values: &mut [S]);
-}
-
-/// What depends on the independent variables alone, and on how they move where that is known.
-pub fn instant_at<S: Scalar, T: Trials<S> + ?Sized>(
-    loops: &T,
-    independents: &[S],
-    motion: &[S],
-) -> Vec<S> {
-    loops.instant_row(independents, motion)
 }
 
 /// Residuals and Jacobian of a group.

@@ -5,7 +5,7 @@
 //! there; any other is cut in two (R. E. Moore, R. B. Kearfott, M. J. Cloud: *Introduction to Interval Analysis*, 2009,
 //! chapter 8). The groups before it are taken as closed exactly.
 
-use crate::closure::linkage::loops::{Square, Trials, instant_at};
+use crate::closure::linkage::loops::{Square, Trials};
 use crate::dense::Lu;
 use crate::scalar::Interval;
 use crate::shape::LinkageEntry;
@@ -65,7 +65,7 @@ impl<'a> Branches<'a> {
         let places: Vec<Interval> = points(independents);
         Self {
             entry: loops.shape().loops(),
-            instant: instant_at(loops, &places, &[]),
+            instant: loops.instant_row(&places, &[]),
             group,
             position: points(closed),
             square: Square::of(loops.shape()),

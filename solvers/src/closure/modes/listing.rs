@@ -11,7 +11,6 @@ use crate::closure::extent::strokes::strokes_of;
 use crate::closure::modes::modes_of;
 use crate::closure::{
     Along, AnyLinkage, AssemblyMode, ClosureError, Facets, Newton, Range, Search, Stretch, Stroke,
-    instant_at,
 };
 use crate::measure::Missing;
 use crate::problem::Span;
@@ -170,7 +169,7 @@ impl dyn AnyLinkage + '_ {
     /// A mode with its outputs and what is left of its equations.
     fn listed(&self, (drivers, motion): (&[f64], &[f64]), mode: AssemblyMode) -> Listed {
         let (shape, loops) = (self.shape(), self.prepare(&self.values()));
-        let instant = instant_at(&*loops, drivers, self.motion(motion));
+        let instant = loops.instant_row(drivers, self.motion(motion));
         let mut position = vec![0.0; loops.lengths().0];
         position[..mode.coordinates.len()].copy_from_slice(&mode.coordinates);
         // What the position holds beside the coordinates follows from them.

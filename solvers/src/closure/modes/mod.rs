@@ -8,7 +8,7 @@ pub(super) mod listing;
 
 use super::error::ClosureError;
 use super::linkage::any::AnyLinkage;
-use super::linkage::loops::{Loops, Trials, instant_at};
+use super::linkage::loops::{Loops, Trials};
 use super::linkage::problem::Linkage;
 use super::passage::continuation::ROUNDING;
 use super::position::newton::Newton;
@@ -91,7 +91,7 @@ pub(crate) fn modes_of(
     let loops = linkage.prepare(&values);
     let mut listing = Listing {
         entry: shape.loops(),
-        instant: instant_at(&*loops, at, &[]),
+        instant: loops.instant_row(at, &[]),
         intervals: linkage.enclose(&enclosed),
         at,
         search,

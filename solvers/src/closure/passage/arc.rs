@@ -7,7 +7,7 @@
 use super::continuation::{Segment, scalars};
 use crate::closure::extent::root::brent;
 use crate::closure::linkage::any::AnyLinkage;
-use crate::closure::linkage::loops::{Answers, Square, instant_at};
+use crate::closure::linkage::loops::{Answers, Square};
 use crate::dense::Lu;
 use crate::scalar::{Dual, Scalar};
 use crate::shape::LinkageEntry;
@@ -187,7 +187,7 @@ impl<'a> Curve<'a> {
                 value.slope = part * self.units[n];
             }
         }
-        let instant = instant_at(&*self.loops, &independents, &[]);
+        let instant = self.loops.instant_row(&independents, &[]);
         for (j, unit) in self.units[..n].iter().enumerate() {
             let slope = if j == column { *unit } else { 0.0 };
             self.position[j] = Dual { value: y[j] * unit, slope };

@@ -5,7 +5,7 @@ use super::newton::Newton;
 use super::step::Passage;
 use crate::closure::error::ClosureError;
 use crate::closure::linkage::any::AnyLinkage;
-use crate::closure::linkage::loops::{Loops, instant_at};
+use crate::closure::linkage::loops::Loops;
 use crate::closure::passage::stand::Stand;
 use crate::scalar::Scalar;
 use crate::shape::{GroupKind, LinkageEntry, Shape};
@@ -178,7 +178,7 @@ impl<S: Scalar> Guide<'_, S> {
 
     /// What depends on the independent variables alone.
     pub(in crate::closure) fn instant_at(&self, independents: &[S]) -> Vec<S> {
-        instant_at(self.loops, independents, &[])
+        self.loops.instant_row(independents, &[])
     }
 
     /// The assembly mode of a group, ±1; without meaning for groups that have none.

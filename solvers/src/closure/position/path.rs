@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use crate::closure::{AnyLinkage, ClosureError, Event, Guide, Start, instant_at};
+use crate::closure::{AnyLinkage, ClosureError, Event, Guide, Start};
 
 /// A linkage at one position.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,7 +80,7 @@ impl dyn AnyLinkage + '_ {
     fn sample(&self, mut guide: Guide<'_, f64>, motion: &[f64]) -> Sample {
         let (shape, loops) = (self.shape(), guide.loops);
         let (entry, drivers) = (shape.loops(), guide.independents.to_vec());
-        let instant = instant_at(loops, &drivers, self.motion(motion));
+        let instant = loops.instant_row(&drivers, self.motion(motion));
         let mut outputs = vec![0.0; shape.outputs.len()];
         loops.outputs(&instant, guide.position, &mut outputs);
         guide.strike_undetermined(&instant, &mut outputs);
@@ -119,7 +119,7 @@ impl dyn AnyLinkage + '_ {
         let (drivers, motion) = place.split_at(place.len().min(shape.drivers.len()));
         assembly.move_to(drivers)?;
         let guide = assembly.guide();
-        let instant = instant_at(guide.loops, drivers, self.motion(motion));
+        let instant = guide.loops.instant_row(drivers, self.motion(motion));
         let mut values = vec![0.0; shape.outputs.len() * shape.loops().variables.len()];
         guide.loops.influence(&instant, guide.position, &mut values);
         if guide.is_singular() {

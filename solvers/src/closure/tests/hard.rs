@@ -3,7 +3,7 @@
 use super::linkages::{FourBar, Heald, Iterated, SixBar};
 use super::published::{residual, started};
 use crate::closure::{
-    Apart, Assembly, AtDeadPoint, Axis, Closure, ClosureError, Event, Linkage, Newton, instant_at,
+    Apart, Assembly, AtDeadPoint, Axis, Closure, ClosureError, Event, Linkage, Newton, Trials as _,
     sweep,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -370,7 +370,7 @@ fn newton_alone_lands_in_another_mode() {
             z[j] = value + if number >> j & 1 == 0 { 1.0 } else { -1.0 };
         }
         let mut newton = Newton::new(kept.closure().shape());
-        if let Ok(closed) = newton.close(&loops, 0, &instant_at(&loops, &[at], &[]), &mut z) {
+        if let Ok(closed) = newton.close(&loops, 0, &loops.instant_row(&[at], &[]), &mut z) {
             assert!(closed.residual < 1e-15);
             let away = (0..3).map(|j| apart(z[j], kept.position()[j])).fold(0.0, f64::max);
             if away > 1e-6 { other += 1 } else { same += 1 }

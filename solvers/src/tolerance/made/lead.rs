@@ -4,7 +4,7 @@ use super::nominal::Nominal;
 use super::place::{CONTRACTION, NOTHING};
 use super::small;
 use super::turn::unwrap;
-use crate::closure::{AnyLinkage, GroupKind, Loops, Square, Variable, instant_at};
+use crate::closure::{AnyLinkage, GroupKind, Loops, Square, Variable};
 use crate::shape::LinkageEntry;
 use crate::tolerance::source::Study;
 
@@ -74,7 +74,7 @@ impl<'a> Lead<'a> {
             }
         }
         let loops = self.linkage.prepare(&values);
-        let instant = instant_at(&*loops, &independents, &self.nominal.motion);
+        let instant = loops.instant_row(&independents, &self.nominal.motion);
         let mut position = near.to_vec();
         for (index, group) in self.entry.groups.iter().enumerate() {
             if group.kind == GroupKind::General {

@@ -1,6 +1,6 @@
 //! The linkage as drawn, at one place: where the search for made ones begins.
 
-use crate::closure::{AnyLinkage, Guide, Newton, instant_at};
+use crate::closure::{AnyLinkage, Guide, Newton};
 use crate::tolerance::error::ToleranceError;
 use crate::tolerance::order::influence::split;
 use crate::tolerance::order::variation::Stand;
@@ -60,7 +60,7 @@ impl Nominal {
         sources: &[Source],
     ) -> Option<Self> {
         let (shape, entry) = (linkage.shape(), linkage.shape().loops());
-        let instant = instant_at(guide.loops, guide.independents, motion);
+        let instant = guide.loops.instant_row(guide.independents, motion);
         let mut outputs = vec![0.0; shape.outputs.len()];
         guide.loops.outputs(&instant, guide.position, &mut outputs);
         let groups = 0..entry.groups.len();
@@ -86,7 +86,7 @@ impl Nominal {
     fn measure(&mut self, guide: &mut Guide<'_, f64>) {
         let shape = guide.loops.shape();
         let mut newton = Newton::new(shape);
-        let instant = instant_at(guide.loops, guide.independents, &[]);
+        let instant = guide.loops.instant_row(guide.independents, &[]);
         let mut position = guide.position.to_vec();
         for (index, group) in shape.loops().groups.iter().enumerate() {
             newton.sine(guide.loops, index, &instant, &mut position);

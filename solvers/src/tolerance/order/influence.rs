@@ -1,6 +1,6 @@
 //! The influence of all variables on one output along places.
 
-use crate::closure::{AnyLinkage, ClosureError, Linkage, Moves, instant_at};
+use crate::closure::{AnyLinkage, ClosureError, Linkage, Moves};
 use crate::shape::Shape;
 use crate::tolerance::error::ToleranceError;
 
@@ -79,7 +79,7 @@ pub(in crate::tolerance) fn influence_at(
     let (drivers, motion) = split(shape, place)?;
     assembly.move_to(drivers)?;
     let guide = assembly.guide();
-    let instant = instant_at(guide.loops, drivers, motion);
+    let instant = guide.loops.instant_row(drivers, motion);
     let mut values = vec![0.0; shape.outputs.len()];
     guide.loops.outputs(&instant, guide.position, &mut values);
     let count = shape.loops().variables.len();

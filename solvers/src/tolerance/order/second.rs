@@ -11,7 +11,7 @@
 
 use super::influence::influence_at;
 use super::variation::Stand;
-use crate::closure::{AnyLinkage, Guide, Linkage, instant_at};
+use crate::closure::{AnyLinkage, Guide, Linkage};
 use crate::dense::Singular;
 use crate::tolerance::error::ToleranceError;
 use crate::tolerance::made::nominal::Nominal;
@@ -148,7 +148,7 @@ fn by_sources(value: f64, influence: &[f64], second: &[f64], sources: &[Source])
 /// Second derivatives by all variables, from emitted code, which gives the lower triangle.
 fn emitted(guide: &Guide<'_, f64>, stand: &Stand<'_>, output: usize) -> Vec<f64> {
     let (loops, shape) = (guide.loops, guide.loops.shape());
-    let instant = instant_at(loops, stand.independents, stand.motion);
+    let instant = loops.instant_row(stand.independents, stand.motion);
     let n = shape.loops().variables.len();
     let triangle = n * (n + 1) / 2;
     let mut values = vec![0.0; shape.outputs.len() * triangle];

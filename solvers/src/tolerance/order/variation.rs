@@ -1,6 +1,6 @@
 //! How a linkage changes with one variable, by dual numbers: the loops are kept closed in their derivatives.
 
-use crate::closure::{AnyLinkage, Variable, duals, instant_at, keep_closed};
+use crate::closure::{AnyLinkage, Variable, duals, keep_closed};
 use crate::dense::Singular;
 use crate::scalar::Dual;
 
@@ -41,7 +41,7 @@ impl Stand<'_> {
         let (shape, entry) = (linkage.shape(), linkage.shape().loops());
         let loops = linkage.differentiate(&duals(self.values, constant));
         let independents = duals(self.independents, driver);
-        let instant = instant_at(&*loops, &independents, &duals(self.motion, None));
+        let instant = loops.instant_row(&independents, &duals(self.motion, None));
         let mut position = duals(self.position, None);
         keep_closed(&*loops, &instant, &mut position)?;
         let mut influence = vec![Dual::default(); shape.outputs.len() * entry.variables.len()];
