@@ -131,23 +131,33 @@ fn lane<S: Bits>(angle: S) -> (S, S) {
     (S::of_bits((s ^ exchanged) ^ sine_sign), S::of_bits((c ^ exchanged) ^ cosine_sign))
 }
 
+/// A polynomial, its coefficients from the lowest on. They are taken one by one: arrays of packs would go through memory.
+#[inline(always)]
+pub(super) fn horner<S: Scalar, const N: usize>(z: S, coefficients: [f64; N]) -> S {
+    let mut sum = S::ZERO;
+    for k in (0..N).rev() {
+        let coefficient = S::from_f64(coefficients[k]);
+        sum = if k + 1 == N { coefficient } else { sum.mul_add(z, coefficient) };
+    }
+    sum
+}
+
 /// Sine of `x + y` for `|x| <= π/4`, where `y` is a correction below the last digit of `x`.
 #[inline(always)]
 fn sine_near_zero<S: Scalar>(x: S, y: S) -> S {
-    let [s1, s2, s3, s4, s5, s6] = SINE.map(S::from_f64);
+    let [first, rest @ ..] = SINE;
     let z = x * x;
     let cube = z * x;
-    let tail = s6.mul_add(z, s5).mul_add(z, s4).mul_add(z, s3).mul_add(z, s2);
+    let tail = horner(z, rest);
     let bent = cube.mul_add(-tail, S::from_f64(0.5) * y).mul_add(z, -y);
-    x - cube.mul_add(-s1, bent)
+    x - cube.mul_add(S::from_f64(-first), bent)
 }
 
 /// Cosine of `x + y` for `|x| <= π/4`, where `y` is a correction below the last digit of `x`.
 #[inline(always)]
 fn cosine_near_zero<S: Scalar>(x: S, y: S) -> S {
-    let [c1, c2, c3, c4, c5, c6] = COSINE.map(S::from_f64);
     let z = x * x;
-    let series = c6.mul_add(z, c5).mul_add(z, c4).mul_add(z, c3).mul_add(z, c2).mul_add(z, c1);
+    let series = horner(z, COSINE);
     let half = S::from_f64(0.5) * z;
     let chord = S::ONE - half;
     let rounding = (S::ONE - chord) - half;
