@@ -5,12 +5,14 @@ use super::allocation::allocate_of;
 use super::order::corners::corners_of;
 use super::order::differences::differences_of;
 use super::order::influence::influences_of;
+use super::order::rounding::rounding_of;
 use super::order::second::quadratics_of;
 use super::sample::monte_carlo::monte_carlo_of;
 #[cfg(feature = "allocation")]
 use super::{Allocation, AllocationError, Candidate, Rule};
 use super::{
-    Differences, Extremes, Influences, MonteCarlo, Quadratic, Sampling, Study, ToleranceError,
+    Differences, Extremes, Influences, MonteCarlo, Quadratic, Rounding, Sampling, Study,
+    ToleranceError,
 };
 use crate::closure::{AnyLinkage, Variable};
 
@@ -34,6 +36,18 @@ impl dyn AnyLinkage + '_ {
         self.is_made()?;
         study.check_places(self.shape())?;
         influences_of(self, study.output, &study.places)
+    }
+
+    /// How far its numbers may be off by rounding at a place of the drivers, see [`Rounding`].
+    ///
+    /// # Errors
+    /// Why it does not get there.
+    pub fn rounding(
+        &self,
+        place: &[f64],
+        with_influence: bool,
+    ) -> Result<Rounding, ToleranceError> {
+        rounding_of(self, place, with_influence)
     }
 
     /// The output to second order, see [`fn@super::quadratics`].

@@ -36,6 +36,7 @@ pub use order::corners::{Corners, Extremes, corners};
 pub use order::differences::{Difference, Differences, differences};
 pub use order::influence::{Influences, influences};
 pub use order::linear::{Contribution, Linear, Rank, linear, ranking, worst_place};
+pub use order::rounding::Rounding;
 pub use order::second::{Moments, Quadratic, quadratics};
 pub use random::Random;
 #[doc(hidden)]

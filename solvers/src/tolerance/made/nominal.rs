@@ -102,7 +102,7 @@ impl Nominal {
         let variables = linkage.shape().loops().variables;
         for (column, source) in sources.iter().enumerate() {
             let variation = self.stand().varied(linkage, variables[source.variable]);
-            for (row, slope) in variation.ok()?.dependents.into_iter().enumerate() {
+            for (row, slope) in variation.ok()?.dependents().into_iter().enumerate() {
                 tangents[row * sources.len() + column] = slope;
             }
         }

@@ -168,9 +168,9 @@ fn varied(
     let n = variables.len();
     let mut all = vec![0.0; n * n];
     for (q, variable) in variables.iter().enumerate() {
-        let variation = stand.varied(linkage, *variable)?;
+        let influence = stand.varied(linkage, *variable)?.influence();
         for p in 0..n {
-            all[p * n + q] = variation.influence[output * n + p];
+            all[p * n + q] = influence[output * n + p];
         }
     }
     Ok(all)

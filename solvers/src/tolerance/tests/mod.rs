@@ -1,6 +1,7 @@
 mod brink;
 mod four_bar;
 mod published;
+mod rounding;
 mod second;
 mod seeds;
 

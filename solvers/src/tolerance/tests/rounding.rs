@@ -1,0 +1,62 @@
+//! How far numbers may be off by rounding.
+
+use super::super::Random;
+use super::super::made::nominal::Nominal;
+use super::super::order::rounding::rounding_of;
+use super::Heald;
+use crate::closure::AnyLinkage;
+use crate::closure::tests::linkages::FourBar;
+
+/// Values that are off by many last places move numbers by as many times what is told at most, and some of them by much of it.
+fn check(linkage: &dyn AnyLinkage, degrees: f64) {
+    const UNITS: f64 = 1e5;
+    let place = vec![degrees.to_radians()];
+    let told = rounding_of(linkage, &place, true).expect("it gets there");
+    let all = |linkage: &dyn AnyLinkage, place: &[f64]| -> Vec<f64> {
+        let nominals = Nominal::along(linkage, &[place.to_vec()], &[]).expect("it gets there");
+        let position = nominals[0].stand().position.to_vec();
+        position[..told.dependents.len()].iter().chain(&nominals[0].outputs).copied().collect()
+    };
+    let (base, told) = (all(linkage, &place), [&told.dependents[..], &told.outputs].concat());
+    let mut random = Random::new(7, 0);
+    let mut off = |value: &f64| {
+        let sign = (random.uniform() - 0.5).signum();
+        value * (1.0 + sign * UNITS * f64::EPSILON)
+    };
+    let mut largest = vec![0.0; base.len()];
+    for _ in 0..300 {
+        let values: Vec<f64> = linkage.values().iter().map(&mut off).collect();
+        let other = linkage.with_values(&values);
+        let moved = all(&*other, &[off(&place[0])]);
+        for (index, (moved, base)) in moved.iter().zip(&base).enumerate() {
+            largest[index] = f64::max(largest[index], (moved - base).abs() / UNITS);
+        }
+    }
+    for (index, (largest, told)) in largest.iter().zip(&told).enumerate() {
+        assert!(*largest <= 1.01 * told, "{degrees} deg, {index}: {largest:e} {told:e}");
+        assert!(*largest >= 0.3 * told, "{degrees} deg, {index}: {largest:e} {told:e}");
+    }
+}
+
+#[test]
+fn values_off_in_their_last_places_move_numbers_by_what_is_told() {
+    for degrees in [60.0, 90.0, 200.0, 220.1] {
+        check(&Heald::default(), degrees);
+    }
+    let brink = FourBar::new([0.025, 0.065, 0.06, 0.0999], 1.0, [0.5, 1.5]);
+    for degrees in [10.0, 120.0, 179.9] {
+        check(&brink, degrees);
+    }
+}
+
+/// Beside a dead point numbers are known far worse than to their last place.
+#[test]
+fn it_grows_beside_a_dead_point() {
+    let brink = FourBar::new([0.025, 0.065, 0.06, 0.1], 1.0, [0.5, 1.5]);
+    let at = |degrees: f64| {
+        let place = [degrees.to_radians()];
+        rounding_of(&brink, &place, false).expect("it gets there").dependents[0]
+    };
+    let (usual, beside) = (at(90.0), at(179.99));
+    assert!(beside > 100.0 * usual, "{usual:e} {beside:e}");
+}
