@@ -13,7 +13,7 @@ use crate::error::Failure;
 use crate::linkage::case::{Case, Task};
 use crate::linkage::line::Line;
 use crate::linkage::place;
-use crate::linkage::report::snapshot;
+use crate::linkage::report::sample;
 use crate::linkage::wording::contradiction;
 use crate::plot::name;
 use crate::show::number;
@@ -33,7 +33,7 @@ pub fn of(options: &DrawArguments, constants: Constants) -> Result<Shown, Failur
     let places = places.collect::<Result<Vec<_>, _>>()?;
     let asked = places
         .into_iter()
-        .map(|place| Ok((place.label.clone(), snapshot(&case, place)?.sample)))
+        .map(|place| Ok((place.label.clone(), sample(&case, &place)?)))
         .collect::<Result<Vec<_>, Failure>>()?;
     let way = Travel::follow(&case, asked.is_empty())?;
     let frame = |sample: &Sample| Frame::of(case.scene, &sample.points, &sample.outputs);

@@ -11,8 +11,12 @@ use crate::ask::variables::Variable as Result;
 pub struct Influence {
     /// What they are taken by.
     pub variable: Quantity,
+    /// Its place among the variables of the linkage.
+    pub index: usize,
     /// For each output the coefficient, SI units.
     pub values: Vec<f64>,
+    /// How far each may be off by rounding; empty where that is not known.
+    pub errors: Vec<f64>,
 }
 
 /// The table of influence coefficients at a place; of drivers first.
@@ -28,6 +32,8 @@ pub fn at(case: &Case, place: &[f64]) -> Vec<Influence> {
             .filter_map(move |(index, variable)| {
                 Some(Influence {
                     variable: quantity(case, *variable)?,
+                    index,
+                    errors: Vec::new(),
                     values: values.iter().skip(index).step_by(variables.len()).copied().collect(),
                 })
             })

@@ -123,6 +123,8 @@ struct Limits {
 struct Extreme {
     /// Null beyond all bounds.
     value: Number,
+    /// How far it may be off by rounding; null where that is not known.
+    estimated_error: Number,
     unbounded: bool,
     at: Drivers,
 }
@@ -133,6 +135,8 @@ struct Turn {
     /// `highest` or `lowest`.
     kind: &'static str,
     value: Number,
+    /// How far it may be off by rounding; null where that is not known.
+    estimated_error: Number,
     at: Drivers,
 }
 
@@ -229,6 +233,8 @@ struct Place {
     /// Drivers outside of their ranges, in words.
     outside: Vec<String>,
     results: Vec<Amount>,
+    /// How far each of the results may be off by rounding; null where that is not known.
+    estimated_errors: Vec<Number>,
     transmission: Vec<Angle>,
     influence: Vec<Influence>,
 }
@@ -250,6 +256,8 @@ struct Influence {
     of: String,
     unit: String,
     value: Number,
+    /// How far it may be off by rounding; null where that is not known.
+    estimated_error: Number,
 }
 
 #[derive(Serialize)]
@@ -397,18 +405,23 @@ fn results(case: &Case, sample: Option<&Sample>) -> Vec<Amount> {
 
 impl Limits {
     fn all(report: &Report) -> Vec<Self> {
-        let variables = report.case.variables.iter().zip(&report.limits);
-        variables.map(|(variable, limits)| Self::of(report, variable, limits.as_ref())).collect()
+        let variables = report.case.variables.iter().zip(&report.limits).zip(&report.errors);
+        let one = variables.enumerate().map(|(index, ((variable, limits), errors))| {
+            Self::of(report, (index, variable), limits.as_ref(), *errors)
+        });
+        one.collect()
     }
 
     fn of(
         report: &Report,
-        variable: &Variable,
+        (index, variable): (usize, &Variable),
         limits: Option<&(search::Extreme, search::Extreme)>,
+        errors: (f64, f64),
     ) -> Self {
         let case = &report.case;
-        let end = |one: &search::Extreme| Extreme {
+        let end = |one: &search::Extreme, error: f64| Extreme {
             value: number(variable.in_unit(one.value)),
+            estimated_error: number(variable.in_unit(error)),
             unbounded: one.value.is_infinite(),
             at: Drivers::at(case, one),
         };
@@ -416,6 +429,7 @@ impl Limits {
         let turn = |turn: reach::Turn| Turn {
             kind: turn.kind(),
             value: number(variable.in_unit(turn.place.value)),
+            estimated_error: number(variable.in_unit(report.error(&turn.place, index))),
             at: Drivers::at(case, &turn.place),
         };
         let gap = |gap: Gap| Break {
@@ -427,8 +441,8 @@ impl Limits {
         Self {
             name: variable.name.clone(),
             unit: variable.unit.clone(),
-            minimum: limits.map(|(low, _)| end(low)),
-            maximum: limits.map(|(_, high)| end(high)),
+            minimum: limits.map(|(low, _)| end(low, errors.0)),
+            maximum: limits.map(|(_, high)| end(high, errors.1)),
             stroke: limits.and_then(|(low, high)| number(variable.in_unit(high.value - low.value))),
             limit_positions: stroke
                 .map(|stroke| reach::turns(case, stroke).into_iter().map(turn).collect()),
@@ -499,11 +513,13 @@ impl Place {
             unit: "deg",
         });
         let coefficients = snapshot.influence.iter().flat_map(|row| {
-            let outputs = case.variables.iter().zip(&row.values);
-            outputs.map(|(output, value)| {
+            let outputs = case.variables.iter().zip(&row.values).enumerate();
+            outputs.map(|(index, (output, value))| {
                 let (unit, factor) = unit_of(output, &row.variable);
                 let (by, of) = (row.variable.name, output.name.clone());
-                Influence { by, of, unit, value: number(unit::stated(*value, factor)) }
+                let error = row.errors.get(index).and_then(|error| number(error / factor));
+                let value = number(unit::stated(*value, factor));
+                Influence { by, of, unit, value, estimated_error: error }
             })
         });
         Self {
@@ -511,6 +527,9 @@ impl Place {
             at: Drivers::of(case, &time, &snapshot.place.independents),
             outside: snapshot.place.outside.clone(),
             results: results(case, Some(&snapshot.sample)),
+            estimated_errors: { case.variables.iter().zip(&snapshot.errors) }
+                .map(|(variable, error)| number(variable.in_unit(*error)))
+                .collect(),
             transmission: angles.collect(),
             influence: coefficients.collect(),
         }

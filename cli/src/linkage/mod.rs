@@ -7,6 +7,7 @@
 //! | `reach` | how far the drivers go, limit positions and strokes |
 //! | `place`, `places` | what `--at` names, how many places `--places` wants |
 //! | `influence`, `found` | influence coefficients, what is compared with published values |
+//! | `rounding` | how far numbers may be off |
 //! | `report` | all of that together |
 //! | `table`, `json`, `csv` | how it is printed |
 //! | `group`, `wording` | groups, errors and events in words |
@@ -25,6 +26,7 @@ mod places;
 pub mod reach;
 pub mod report;
 pub mod round;
+pub mod rounding;
 pub mod search;
 pub mod table;
 mod undefined;

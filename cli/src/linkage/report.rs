@@ -15,6 +15,7 @@ use super::influence::{self, Influence};
 use super::line::{Grid, Line};
 use super::place::Place;
 use super::reach::{self, Reach};
+use super::rounding;
 use super::search::{Extreme, smallest};
 use super::undefined;
 use super::wording::{Terms, contradiction, event};
@@ -39,6 +40,8 @@ pub struct Report {
     pub rows: Vec<Line>,
     /// Smallest and largest value of each variable.
     pub limits: Vec<Option<(Extreme, Extreme)>>,
+    /// How far both may be off by rounding; not numbers where that is not known.
+    pub errors: Vec<(f64, f64)>,
     /// How far each driver goes in this assembly mode.
     pub reach: Vec<Reach>,
     /// Strokes over the task where it has one axis, see [`reach::strokes`].
@@ -69,6 +72,8 @@ pub struct Snapshot {
     pub place: Place,
     /// The linkage there.
     pub sample: Sample,
+    /// How far each variable may be off by rounding; not a number where that is not known.
+    pub errors: Vec<f64>,
     /// What each driver and dimension does to the outputs there.
     pub influence: Vec<Influence>,
 }
@@ -91,6 +96,12 @@ pub struct Cost {
 }
 
 impl Report {
+    /// How far a variable may be off at a place of the task, SI units; not a number where that is not known.
+    pub fn error(&self, place: &Extreme, variable: usize) -> f64 {
+        let errors = rounding::at(&self.case, &self.case.place(&place.station));
+        rounding::or_more(errors[variable], self.cost.doubt * place.value.abs())
+    }
+
     /// Whether every position of the task was reached.
     pub fn is_complete(&self) -> bool {
         self.stops.is_empty()
@@ -153,10 +164,11 @@ pub fn collect(
     let doubt = fault::take_doubt();
     let rows = case.grid(&Grid::coarse(&case)).map_err(|error| apart(&case, &error))?;
     let places: Vec<_> =
-        places.into_iter().map(|place| snapshot(&case, place)).collect::<Result<_, _>>()?;
+        places.into_iter().map(|place| snapshot(&case, place, doubt)).collect::<Result<_, _>>()?;
     let variables = 0..case.variables.len();
     let limits = variables.map(|index| reach::extremes(&case, &lines, strokes.as_ref(), index));
-    let limits = limits.collect();
+    let limits: Vec<_> = limits.collect();
+    let errors = rounding::of_limits(&case, &limits, doubt);
     let transmissions = (0..case.moved.entry.groups.len())
         .filter(|&index| group::transmits(&case.moved.entry.groups[index]))
         .filter_map(|index| {
@@ -191,6 +203,7 @@ pub fn collect(
         lines,
         rows,
         limits,
+        errors,
         reach,
         strokes,
         measures,
@@ -257,12 +270,17 @@ fn station_in_words(case: &Case, station: &[f64]) -> String {
 ///
 /// # Errors
 /// Why it does not get there.
-pub fn snapshot(case: &Case, place: Place) -> Result<Snapshot, Failure> {
-    let sample = case.at(place.independents.clone()).map_err(|error| {
+pub fn sample(case: &Case, place: &Place) -> Result<Sample, Failure> {
+    case.at(place.independents.clone()).map_err(|error| {
         case.tell(&error)
             .failure(format!("the linkage does not get to {}", place.label))
             .place(place.option.as_str())
-    })?;
+    })
+}
+
+/// The same with all that is told of it, where integrals are known to this part of their size.
+fn snapshot(case: &Case, place: Place, doubt: f64) -> Result<Snapshot, Failure> {
+    let sample = sample(case, &place)?;
     let mut influence = influence::at(case, &place.independents);
     for value in influence.iter_mut().flat_map(|one| one.values.iter_mut().zip(&sample.outputs)) {
         // What has no value does not change.
@@ -270,7 +288,11 @@ pub fn snapshot(case: &Case, place: Place) -> Result<Snapshot, Failure> {
             *value.0 = f64::NAN;
         }
     }
-    Ok(Snapshot { influence, sample, place })
+    rounding::of_influence(case, &place.independents, &mut influence);
+    let errors = rounding::at(case, &place.independents).into_iter().zip(case.values(&sample));
+    let errors = errors.map(|(error, value)| rounding::or_more(error, doubt * value.abs()));
+    let errors = errors.collect();
+    Ok(Snapshot { influence, errors, sample, place })
 }
 
 /// The loop equation that is left worst.

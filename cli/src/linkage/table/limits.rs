@@ -73,12 +73,13 @@ fn limits(page: &mut Page, report: &Report) {
         ("largest", Align::Point),
         (&place, align),
         ("stroke", Align::Point),
+        ("± error", Align::Left),
         ("unit", Align::Left),
         ("", Align::Left),
     ]);
     let decimals = decimals(report);
-    let rows = report.case.variables.iter().zip(&report.limits).zip(decimals);
-    for ((variable, limits), decimals) in rows {
+    let rows = report.case.variables.iter().zip(&report.limits).zip(decimals).zip(&report.errors);
+    for (((variable, limits), decimals), errors) in rows {
         let Some((low, high)) = limits else { continue };
         let show = |value: f64| match value.is_infinite() {
             true => "unbounded".to_owned(),
@@ -91,6 +92,7 @@ fn limits(page: &mut Page, report: &Report) {
             show(high.value),
             station(report, high),
             show(high.value - low.value),
+            rounding(variable.in_unit(errors.0.max(errors.1))),
             variable.unit.clone(),
             variable.summary.clone(),
         ]);
@@ -98,6 +100,11 @@ fn limits(page: &mut Page, report: &Report) {
     if report.limits.iter().any(Option::is_some) {
         page.section("Limits", &table);
     }
+}
+
+/// How far a value may be off, or nothing where that is not known.
+pub(super) fn rounding(error: f64) -> String {
+    if error.is_finite() { number::error(error) } else { String::new() }
 }
 
 /// Where outputs turn round inside the task, and where they jump or go beyond all bounds.
@@ -108,6 +115,7 @@ fn turns(page: &mut Page, report: &Report) {
         ("", Align::Left),
         ("", Align::Left),
         ("value", Align::Point),
+        ("± error", Align::Left),
         ("unit", Align::Left),
         (&place, Align::Point),
     ]);
@@ -131,6 +139,7 @@ fn turns(page: &mut Page, report: &Report) {
                 variable.name.clone(),
                 turn.kind().to_owned(),
                 number::significant(variable.in_unit(turn.place.value), EXACT),
+                rounding(variable.in_unit(report.error(&turn.place, index))),
                 variable.unit.clone(),
                 exactly(report, &turn.place),
             ]);

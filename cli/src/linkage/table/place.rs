@@ -1,5 +1,6 @@
 //! A linkage at a place that was asked for, with its influence coefficients.
 
+use super::limits::rounding;
 use crate::linkage::group;
 use crate::linkage::influence::unit_of;
 use crate::linkage::report::{Report, Snapshot};
@@ -20,14 +21,17 @@ pub fn section(page: &mut Page, report: &Report, snapshot: &Snapshot) {
         ("", Align::Left),
         ("value", Align::Point),
         ("unit", Align::Left),
+        ("± error", Align::Left),
         ("", Align::Left),
     ]);
-    for (variable, value) in case.variables.iter().zip(case.values(&snapshot.sample)) {
+    let values = case.values(&snapshot.sample);
+    for ((variable, value), error) in case.variables.iter().zip(values).zip(&snapshot.errors) {
         let value = variable.in_unit(value);
         table.row([
             variable.name.clone(),
             number::with_error(value, 1e-9 * value.abs()),
             variable.unit.clone(),
+            rounding(variable.in_unit(*error)),
             variable.summary.clone(),
         ]);
     }
@@ -38,6 +42,7 @@ pub fn section(page: &mut Page, report: &Report, snapshot: &Snapshot) {
                 "transmission".to_owned(),
                 number::short(number::rounded(angle, 6)),
                 "deg".to_owned(),
+                String::new(),
                 group::equations(case.moved.entry, of_group),
             ]);
         }
