@@ -74,6 +74,7 @@ pub fn section(page: &mut Page, report: &Report) {
     let events: Vec<_> = happened(report).collect();
     let mut table = Columns::new([
         ("time, s", Align::Point),
+        ("± error", Align::Left),
         ("mode", Align::Left),
         ("event", Align::Left),
         ("guard there", Align::Point),
@@ -84,6 +85,7 @@ pub fn section(page: &mut Page, report: &Report) {
     if !first.is_empty() {
         table.row([
             number::short(begin),
+            String::new(),
             first.to_owned(),
             "start".to_owned(),
             String::new(),
@@ -98,6 +100,7 @@ pub fn section(page: &mut Page, report: &Report) {
         }
         table.row([
             number::with_error(event.time, error.max(1e-11 * event.time)),
+            number::error(error),
             match event.to == event.from {
                 true => String::new(),
                 false => report.case.mode(event.to).to_owned(),

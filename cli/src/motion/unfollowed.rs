@@ -28,8 +28,11 @@ fn of_motion(scene: &SceneEntry, error: &HybridError) -> Told {
         ),
         HybridError::Chatter { time, since, events, modes, .. } => Told::new(
             format!(
-                "{events} events between time = {since} s and {time} s, ever sooner after each other, modes {}",
-                listed(scene, modes)
+                "{events} events between time = {since} s and {time} s, ever sooner after each other{}",
+                match listed(scene, modes) {
+                    none if none.is_empty() => String::new(),
+                    modes => format!(", modes {modes}"),
+                }
             ),
             "a mode in which the parts stay together would take their place, reached `if` a speed is small enough",
         ),
@@ -159,8 +162,8 @@ fn event_text(scene: &SceneEntry, mode: usize, event: usize) -> Option<&'static 
 }
 
 fn listed(scene: &SceneEntry, modes: &[usize]) -> String {
-    let names: Vec<&str> = modes.iter().map(|mode| name(scene, *mode)).collect();
-    names.join(" -> ")
+    let names = modes.iter().map(|mode| name(scene, *mode)).filter(|name| !name.is_empty());
+    names.collect::<Vec<_>>().join(" -> ")
 }
 
 #[cfg(test)]

@@ -94,6 +94,7 @@ fn multipliers(page: &mut Page, report: &Report) {
     }
     let mut table = Columns::new([
         ("modulus", Align::Point),
+        ("± error", Align::Left),
         ("angle, deg", Align::Point),
         ("a disturbance", Align::Left),
     ]);
@@ -102,6 +103,7 @@ fn multipliers(page: &mut Page, report: &Report) {
         let angle = number::significant(multiplier.angle(), 6);
         table.row([
             format!("{:.9}", multiplier.modulus()),
+            number::error(multiplier.error),
             if multiplier.pair { format!("±{angle}") } else { angle },
             multiplier.meaning(turn),
         ]);
@@ -157,7 +159,9 @@ fn last_line(report: &Report) -> String {
             "; in {} steps rounding is larger than the tolerance, so that a smaller --rtol gains nothing there",
             number::count(effort.rounded_steps)
         ),
-        Some(factor) => format!("; ten times more accuracy takes {factor:.2} times as long"),
+        Some(factor) => {
+            format!("; ten times more accuracy takes {factor:.2} times as many evaluations")
+        }
         None if cost.is_cut_off => {
             "; the estimate with a tenth of the tolerance was cut off".to_owned()
         }
@@ -189,20 +193,25 @@ fn choice_part(report: &Report) -> String {
     let switches = motion.switches();
     let from = |is: fn(Method) -> bool| {
         let first = switches.iter().find(|switch| is(switch.to));
-        first.map(|switch| format!("from t = {:.3e} s on", switch.time))
+        first.map(|switch| {
+            format!("from t = {} s on", number::short(number::rounded(switch.time, 4)))
+        })
     };
-    let stiff = number::count(took.stiff_steps);
+    let of_them = |steps: usize| match steps == took.steps {
+        true => "all".to_owned(),
+        false => format!("{} of them", number::count(steps)),
+    };
+    let stiff = of_them(took.stiff_steps);
     let stiff = match (took.stiff_steps, from(|to| to.stiff().is_some())) {
         (0, _) => String::new(),
-        (_, Some(from)) => format!(", {stiff} of them stiff, {from}"),
-        (_, None) => format!(", {stiff} of them stiff, on trial"),
+        (_, Some(from)) => format!(", {stiff} stiff, {from}"),
+        (_, None) => format!(", {stiff} stiff, on trial"),
     };
-    let series = match from(|to| to == Method::Taylor) {
-        Some(from) => {
-            let series = number::count(took.series_steps);
-            format!(", {series} of them by Taylor series, which take less time {from}")
-        }
-        None => String::new(),
+    let series = of_them(took.series_steps);
+    let series = match (took.series_steps, from(|to| to == Method::Taylor)) {
+        (0, _) => String::new(),
+        (_, Some(from)) => format!(", {series} by Taylor series, which take less time {from}"),
+        (_, None) => format!(", {series} by Taylor series, which take less time"),
     };
     match (series + &stiff, motion.task()) {
         // A steady state has no transient that would die out.

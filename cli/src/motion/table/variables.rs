@@ -42,8 +42,10 @@ pub fn extremes(page: &mut Page, report: &Report) {
     let mut table = Columns::new([
         ("", Align::Left),
         ("smallest", Align::Point),
+        ("± error", Align::Left),
         (&place, Align::Point),
         ("largest", Align::Point),
+        ("± error", Align::Left),
         (&place, Align::Point),
         ("unit", Align::Left),
     ]);
@@ -57,6 +59,7 @@ pub fn extremes(page: &mut Page, report: &Report) {
             let error = end.error.max(1e-9 * end.value.abs());
             number::with_error(variable.in_unit(end.value), variable.in_unit(error))
         };
+        let error = |end: End| number::error(variable.in_unit(end.error));
         let place = |end: End| {
             let (here, there) = (place(end.time), place(end.time + end.blur));
             number::with_error(here, (there - here).abs().max(1e-8 * here.abs()))
@@ -64,8 +67,10 @@ pub fn extremes(page: &mut Page, report: &Report) {
         table.row([
             variable.name.clone(),
             value(extremes.lowest),
+            error(extremes.lowest),
             place(extremes.lowest),
             value(extremes.highest),
+            error(extremes.highest),
             place(extremes.highest),
             variable.unit.clone(),
         ]);
