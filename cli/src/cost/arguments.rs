@@ -27,7 +27,8 @@ task. Rows with a star are better than all that is cheaper.
 pub struct CostArguments {
     #[command(flatten)]
     pub asked: Asked,
-    /// What is looked at, `F2,peak_rod1`: outputs, states, measures; unless given all outputs and measures.
+    /// What is looked at, `F2,peak_rod1`: outputs, states, measures; unless given all outputs and measures. Of a linkage one
+    /// output, unless given the first.
     #[arg(long, value_name = "NAMES")]
     pub of: Option<String>,
     /// An accuracy, `'F2=0.1N'`, `1um` or `1%`: which way to get it is cheapest.

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
+use assur::answer::Settings;
 use assur::study::cost::{Trial, Work};
 use serde::Serialize;
 
-use super::Cost;
+use super::{Cost, Limited};
 use crate::show::json::{self, About, Number, number as finite};
 use crate::show::unit;
 
@@ -31,9 +32,25 @@ pub struct Object {
     wanted: Option<String>,
     /// The cheapest way to it, by its place among the trials; null where nothing reaches it or nothing was asked for.
     cheapest: Option<usize>,
+    /// The cheapest way to ten times more accuracy, by its place among the trials.
+    cheapest_for_ten_times_more: Option<usize>,
+    /// The most accurate way, where an accuracy was asked for.
+    nearest: Option<Nearest>,
     seconds: f64,
     /// Path of the figure, if one was drawn.
     figure: Option<String>,
+}
+
+/// The most accurate way.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct Nearest {
+    /// Its place among the trials.
+    trial: Option<usize>,
+    /// Its error over what is permitted.
+    share: Number,
+    /// What keeps it from more.
+    limited_by: Limited,
 }
 
 /// A quantity.
@@ -84,8 +101,18 @@ impl Object {
             spread: finite(unit::stated(cost.deviation(of), of.quantity.factor)),
         });
         let trials = costs.trials.iter().enumerate();
-        let cheapest = cost.wanted.as_ref().and_then(|wanted| cost.cheapest(wanted, 1.0));
-        let is_same = |trial: &Trial| cheapest.as_ref().is_some_and(|one| one.0 == trial.settings);
+        let wanted = cost.wanted.as_ref();
+        let place =
+            |of: &Settings| costs.trials.iter().position(|trial: &Trial| trial.settings == *of);
+        let cheapest = |part: f64| wanted.and_then(|wanted| place(&cost.cheapest(wanted, part)?.0));
+        let nearest = wanted.and_then(|wanted| {
+            let nearest = cost.nearest(wanted)?;
+            Some(Nearest {
+                trial: place(&nearest.0),
+                share: finite(nearest.2),
+                limited_by: cost.limited(wanted, &nearest),
+            })
+        });
         Self {
             format: "assur-cost/1",
             about: About::of(&cost.case.constants),
@@ -96,7 +123,9 @@ impl Object {
             rounds: costs.rounds,
             whole: cost.is_whole,
             wanted: cost.wanted.as_ref().map(|wanted| wanted.text.clone()),
-            cheapest: costs.trials.iter().position(is_same),
+            cheapest: cheapest(1.0),
+            cheapest_for_ten_times_more: cheapest(0.1),
+            nearest,
             seconds: cost.seconds,
             figure: json::path(figure),
         }

@@ -32,6 +32,22 @@ use crate::show::progress::Progress;
 use crate::show::unit;
 use made::Spread;
 
+/// What is known to about as much as what it is compared with.
+const NEAR: f64 = 3.0;
+
+/// What keeps the most accurate way from more.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+enum Limited {
+    /// The reference is not known better.
+    Reference,
+    /// No smaller tolerance was tried.
+    Tolerances,
+    /// Smaller tolerances gained nothing.
+    Rounding,
+}
+
 /// The answers as objects.
 #[cfg(test)]
 #[expect(dead_code, reason = "the schema is derived from it")]
@@ -68,6 +84,17 @@ fn whole(is_whole: bool) -> Result<(), Failure> {
     }
 }
 
+/// Whether an accuracy is reached, where one is asked for.
+fn reached(wanted: Option<&Wanted>, is_reached: impl Fn(&Wanted) -> bool) -> Result<(), Failure> {
+    match wanted {
+        Some(wanted) if !is_reached(wanted) => {
+            Err(Failure::numerical("the accuracy that is asked for is not reached")
+                .place(format!("--for {}", wanted.text)))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// What is looked at: a variable of the motion or a measure.
 pub struct Shown {
     /// What it is, with its unit.
@@ -90,6 +117,8 @@ pub struct Cost {
     wanted: Option<Wanted>,
     /// What mechanisms as they are made differ by, where an accuracy is asked for.
     made: Option<Spread>,
+    /// How many ways were to be tried.
+    asked: usize,
     /// Whether nobody stopped it.
     is_whole: bool,
     seconds: f64,
@@ -133,7 +162,8 @@ impl Cost {
                 .remedy("look at the scene with `assur run`, at a small --rtol")
         })?;
         let seconds = clock.elapsed().as_secs_f64();
-        Ok(Self { case, shown, costs, wanted, made, is_whole, seconds })
+        let asked = settings.len();
+        Ok(Self { case, shown, costs, wanted, made, asked, is_whole, seconds })
     }
 
     /// The error of what is shown, SI units: at least that of the reference.
@@ -204,6 +234,17 @@ impl Cost {
     /// The most accurate way.
     fn nearest(&self, wanted: &Wanted) -> Option<(Settings, Work, f64)> {
         self.ways(wanted).min_by(|a, b| a.2.total_cmp(&b.2))
+    }
+
+    /// What keeps the most accurate way from more.
+    fn limited(&self, wanted: &Wanted, nearest: &(Settings, Work, f64)) -> Limited {
+        let of_it = self.ways(wanted).filter(|one| one.0.method == nearest.0.method);
+        let finest = of_it.map(|one| one.0.rtol).fold(f64::INFINITY, f64::min);
+        match self.limit(wanted) {
+            doubt if nearest.2 <= NEAR * doubt => Limited::Reference,
+            _ if nearest.0.rtol <= finest => Limited::Tolerances,
+            _ => Limited::Rounding,
+        }
     }
 
     /// The largest error over what is permitted.
@@ -299,9 +340,18 @@ fn shown(
 
 /// Each method at each tolerance, one for each power of ten.
 fn settings(methods: &[Method], (from, to): (f64, f64)) -> Result<Vec<Settings>, Failure> {
-    let powers = |value: f64| value.log10().round() as i32;
-    let (low, high) = (powers(from.min(to)), powers(from.max(to)));
-    if low < powers(RTOL.0) || high > powers(RTOL.1) {
+    // A power of ten has a logarithm that is whole to rounding.
+    let exact = |value: f64| {
+        let power = value.log10();
+        if (power - power.round()).abs() < 1e-9 { power.round() } else { power }
+    };
+    let (low, high) = (exact(from.min(to)).ceil() as i32, exact(from.max(to)).floor() as i32);
+    if low > high {
+        return Err(Failure::request("no power of ten lies between")
+            .place(format!("--rtol {from:e}..{to:e}"))
+            .remedy("each power of ten is tried: 1e-9..1e-6"));
+    }
+    if low < exact(RTOL.0) as i32 || high > exact(RTOL.1) as i32 {
         return Err(Failure::request("a tolerance is out of range")
             .place(format!("--rtol {from:e}..{to:e}"))
             .remedy(format!("tolerances lie between {:e} and {:e}", RTOL.0, RTOL.1)));
@@ -330,10 +380,14 @@ impl Answer for Cost {
             .map(|of| title(&format!("error({})", of.quantity.name), of.quantity.unit));
         let mut text = line(heads.into_iter().chain(times).chain(errors));
         for trial in &self.costs.trials {
-            let Ok(work) = &trial.outcome else { continue };
+            let way =
+                [trial.settings.method.name().to_owned(), format!("{:e}", trial.settings.rtol)];
+            let Ok(work) = &trial.outcome else {
+                let empty = (0..5 + self.shown.len()).map(|_| String::new());
+                text += &line(way.into_iter().chain(empty));
+                continue;
+            };
             let cells = [
-                trial.settings.method.name().to_owned(),
-                format!("{:e}", trial.settings.rtol),
                 work.steps.to_string(),
                 work.evaluations.to_string(),
                 cell(work.times.median),
@@ -344,7 +398,7 @@ impl Answer for Cost {
                 .shown
                 .iter()
                 .map(|of| cell(unit::stated(self.error(work, of), of.quantity.factor)));
-            text += &line(cells.into_iter().chain(errors));
+            text += &line(way.into_iter().chain(cells).chain(errors));
         }
         text
     }
@@ -354,6 +408,7 @@ impl Answer for Cost {
     }
 
     fn outcome(&self) -> Result<(), Failure> {
-        whole(self.is_whole)
+        whole(self.is_whole)?;
+        reached(self.wanted.as_ref(), |wanted| self.cheapest(wanted, 1.0).is_some())
     }
 }

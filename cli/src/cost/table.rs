@@ -5,7 +5,7 @@ use std::path::Path;
 use assur::answer::Settings;
 use assur::study::cost::{Times, Work};
 
-use super::Cost;
+use super::{Cost, Limited};
 use crate::ask::wanted::Wanted;
 use crate::show::number;
 use crate::show::page::Page;
@@ -20,6 +20,14 @@ pub fn render(page: &mut Page, cost: &Cost, figure: Option<&Path>) {
         &cost.case.constants,
         &format!("what accuracy costs: {}", cost.case.task_in_words()),
     );
+    if !cost.is_whole {
+        page.warn(&format!(
+            "incomplete: it was stopped when {} of {} ways had been tried",
+            number::count(cost.costs.trials.len()),
+            number::count(cost.asked)
+        ));
+        page.line("");
+    }
     trials(page, cost);
     let costs = &cost.costs;
     page.line(&format!(
@@ -108,16 +116,18 @@ fn answer(page: &mut Page, cost: &Cost, wanted: &Wanted) {
     match cost.cheapest(wanted, 1.0) {
         Some(found) => {
             page.line(&format!("For {words}: {}.", told(&found)));
-            if let Some(finer) = cost.cheapest(wanted, 0.1)
-                && finer.0 != found.0
-            {
-                page.line(&format!(
+            page.line(&match cost.cheapest(wanted, 0.1) {
+                Some(finer) if finer.0 == found.0 => {
+                    "Ten times more accuracy takes the same.".to_owned()
+                }
+                Some(finer) => format!(
                     "Ten times more accuracy takes {:.2} times as long: {} in {}.",
                     finer.1.times.median / found.1.times.median,
                     finer.0,
                     number::duration(finer.1.times.median)
-                ));
-            }
+                ),
+                None => "Nothing that was tried is ten times more accurate.".to_owned(),
+            });
         }
         None => match cost.nearest(wanted) {
             Some(nearest) => page.warn(&format!(
@@ -134,11 +144,10 @@ fn answer(page: &mut Page, cost: &Cost, wanted: &Wanted) {
 /// What limits the accuracy in the end.
 fn limits(page: &mut Page, cost: &Cost, wanted: &Wanted) {
     if let Some(nearest) = cost.nearest(wanted) {
-        let limit = match cost.limit(wanted) {
-            doubt if nearest.2 <= 3.0 * doubt => {
-                "rounding limits it, of which the reference has as much"
-            }
-            _ => "smaller tolerances would go on, or rounding limits it",
+        let limit = match cost.limited(wanted, &nearest) {
+            Limited::Reference => "rounding limits it, of which the reference has as much",
+            Limited::Tolerances => "no smaller tolerance was tried",
+            Limited::Rounding => "rounding limits it, smaller tolerances gained nothing",
         };
         page.line(&format!(
             "At best {} comes to {} of what is permitted: {limit}.",

@@ -90,7 +90,7 @@ impl Object {
         let outputs = outputs.map(|(output, rounding)| Output {
             name: output.name,
             unit: output.unit,
-            rounding: finite(rounding / output.factor),
+            rounding: finite(rounding.error / output.factor),
         });
         Self {
             format: "assur-cost-linkage/1",

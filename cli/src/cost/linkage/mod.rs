@@ -9,7 +9,6 @@ pub use json::Object;
 use std::path::Path;
 use std::time::Instant;
 
-use assur::closure::Variable;
 use assur::shape::Quantity;
 use assur::study::cost::{Made, MadeTrial, Way, front, made};
 use assur::tolerance::{Linear, Study, ToleranceError, linear, worst_place};
@@ -21,6 +20,7 @@ use crate::ask::constants::Constants;
 use crate::ask::wanted::{Difference, Wanted};
 use crate::error::Failure;
 use crate::linkage::case::Case;
+use crate::linkage::rounding;
 use crate::plot::{Decades, Line, decades};
 use crate::show::csv::{cell, line, quoted, title};
 use crate::show::output::Stoppable;
@@ -39,9 +39,10 @@ pub struct Cost {
     case: Case,
     /// Seconds of a position; not a number where the task has no two.
     position: f64,
-    /// What rounding of the values makes of each output, the largest over the range, SI units; not a number where that is not
-    /// known.
-    roundings: Vec<f64>,
+    /// What rounding of the values makes of each output, the largest over the range, and how large that is.
+    roundings: Vec<Difference>,
+    /// The output that is looked at.
+    output: usize,
     errs: Option<Errs>,
     wanted: Option<Wanted>,
     is_whole: bool,
@@ -91,9 +92,7 @@ impl Cost {
         let position = times.fold(f64::NAN, f64::min) * 1e-9;
         let sources = names.declared();
         let study = Study { output, places: range(case.run(), PLACES), sources };
-        let roundings = { 0..case.scene.outputs.len() }
-            .map(|output| rounding(&case, &Study { output, ..study.clone() }))
-            .collect();
+        let roundings = roundings(&case, &study.places);
         let errs = match study.sources.is_empty() {
             true => None,
             false => {
@@ -104,24 +103,35 @@ impl Cost {
         let is_whole = !stoppable.is_stopped();
         drop((bar, stoppable));
         let seconds = clock.elapsed().as_secs_f64();
-        Ok(Self { case, position, roundings, errs, wanted, is_whole, seconds })
+        Ok(Self { case, position, roundings, output, errs, wanted, is_whole, seconds })
+    }
+
+    /// What roundings make of the output that is looked at, over what is permitted.
+    fn rounded(&self, wanted: &Wanted) -> f64 {
+        wanted.share(|_| self.roundings[self.output])
+    }
+
+    /// Whether an accuracy is reached: of the spread, where there is one, else of the output itself.
+    fn reaches(&self, wanted: &Wanted) -> bool {
+        match &self.errs {
+            Some(errs) => errs.cheapest(wanted, 1.0).is_some(),
+            None => self.rounded(wanted) <= 1.0,
+        }
     }
 }
 
-/// What rounding of the values makes of the output of a study, `Σ |K x| ε/2`, where that is most.
-fn rounding(case: &Case, study: &Study) -> f64 {
-    let Ok(found) = case.run().influences(study) else { return f64::NAN };
-    let variables = case.moved.entry.variables;
-    let value = |variable: &Variable, place: &[f64]| match variable {
-        Variable::Constant(index) => case.constants.values[*index],
-        Variable::Driver(index) => place[*index],
-    };
-    let at = |(index, place): (usize, &Vec<f64>)| {
-        let pairs = found.at(index).iter().zip(variables);
-        let parts = pairs.map(|(influence, variable)| (influence * value(variable, place)).abs());
-        (parts.sum::<f64>() + found.values[index].abs()) * f64::EPSILON / 2.0
-    };
-    study.places.iter().enumerate().map(at).fold(0.0, f64::max)
+/// What rounding of the values makes of each output, where that is most; not a number where that is not known.
+fn roundings(case: &Case, places: &[Vec<f64>]) -> Vec<Difference> {
+    let mut all = vec![Difference { error: 0.0, size: 0.0 }; case.scene.outputs.len()];
+    for place in places {
+        let errors = rounding::at(case, place);
+        let values = case.at(place.clone()).map(|sample| sample.outputs).unwrap_or_default();
+        for ((most, error), value) in all.iter_mut().zip(errors).zip(values) {
+            most.error = rounding::or_more(error, most.error);
+            most.size = most.size.max(value.abs());
+        }
+    }
+    all
 }
 
 impl Errs {
@@ -240,6 +250,7 @@ impl Answer for Cost {
     }
 
     fn outcome(&self) -> Result<(), Failure> {
-        super::whole(self.is_whole)
+        super::whole(self.is_whole)?;
+        super::reached(self.wanted.as_ref(), |wanted| self.reaches(wanted))
     }
 }

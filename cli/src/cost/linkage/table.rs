@@ -28,9 +28,14 @@ pub fn render(page: &mut Page, cost: &Cost, figure: Option<&Path>) {
     roundings(page, cost);
     match &cost.errs {
         Some(errs) => spreads(page, cost, errs),
-        None => page.line(
-            "Nothing has a tolerance in this scene; with one, `dimension l4 = 90 mm +- 0.05 mm;`, it is told what the spread of an output takes.",
-        ),
+        None => {
+            page.line(
+                "Nothing has a tolerance in this scene; with one, `dimension l4 = 90 mm +- 0.05 mm;`, it is told what the spread of an output takes.",
+            );
+            if let Some(wanted) = &cost.wanted {
+                rounded(page, cost, wanted);
+            }
+        }
     }
     page.figure(figure);
     page.line(&format!("It took {}.", number::duration(cost.seconds)));
@@ -42,8 +47,8 @@ fn roundings(page: &mut Page, cost: &Cost) {
         Columns::new([("", Align::Left), ("by roundings", Align::Left), ("unit", Align::Left)]);
     let outputs = cost.case.scene.outputs.iter().zip(&cost.roundings);
     for (output, rounding) in outputs {
-        let text = match rounding.is_finite() {
-            true => number::error(rounding / output.factor),
+        let text = match rounding.error.is_finite() {
+            true => number::error(rounding.error / output.factor),
             false => "not known".to_owned(),
         };
         table.row([output.name.to_owned(), text, output.unit.to_owned()]);
@@ -52,6 +57,22 @@ fn roundings(page: &mut Page, cost: &Cost) {
         "How far outputs may be off as values are rounded, at most over the range",
         &table,
     );
+}
+
+/// Whether roundings leave the accuracy that is asked for: there is but one way to an output.
+fn rounded(page: &mut Page, cost: &Cost, wanted: &Wanted) {
+    let words = wanted.words(&[cost.case.scene.outputs[cost.output]]);
+    let share = cost.rounded(wanted);
+    let times = number::significant(share, 2);
+    match share {
+        share if share.is_nan() => page.warn(&format!("of {words} nothing is known")),
+        share if share > 1.0 => page.warn(&format!(
+            "nothing reaches {words}: roundings make {times} times what is permitted"
+        )),
+        _ => page.line(&format!(
+            "For {words}: every value, at the cost above; roundings make {times} of what is permitted."
+        )),
+    }
 }
 
 /// What it takes to find how an output errs.
@@ -140,7 +161,8 @@ fn answer(page: &mut Page, errs: &Errs, wanted: &Wanted) {
                     called(finer),
                     number::duration(finer.times.median)
                 )),
-                _ => {}
+                Some(_) => page.line("Ten times more accuracy takes the same."),
+                None => page.line("Nothing that was tried is ten times more accurate."),
             }
         }
         None => page.warn(&match errs.nearest() {
