@@ -39,7 +39,17 @@ pub fn render(page: &mut Page, advice: &Advice) {
     }
     page.line("");
     answer(page, advice, &words);
-    page.section("Combinations", &combinations(advice));
+    let (enough, others) = nearest(advice);
+    page.table("Combinations", &combinations(advice, &enough, &others));
+    let left_out = advice.all.len() - enough.len() - others.len();
+    let notes = [
+        "a star: accurate enough, and timed; lacks: the scene has no such quantity; elsewhere: it is nothing in the scene compared with",
+        &format!("{left_out} others are left out"),
+    ];
+    for note in &notes[..1 + usize::from(left_out > 0)] {
+        page.line(&page.style.faint(&format!("  {note}")));
+    }
+    page.line("");
     if advice.over.is_some() {
         across(page, advice);
     }
@@ -71,7 +81,10 @@ fn answer(page: &mut Page, advice: &Advice, words: &str) {
     let name = advice.named(best.scene).map_or("a combination without a name", |one| one.name);
     let worst = advice.worst(best).filter(|worst| worst.1 > 0.0);
     let worst = worst.map_or("nothing differs".to_owned(), |(index, share)| {
-        format!("{} differs by {} %", advice.reference.shown[index].name, percent(share))
+        let of = advice.reference.shown[index];
+        let apart = number::significant(advice.apart(best, index) / of.factor, 2);
+        let apart = format!("{apart} {}", of.unit);
+        format!("{} differs by {}, {} % of its size", of.name, apart.trim_end(), percent(share))
     });
     page.line(&format!(
         "  {name} suffices, {} times as fast: {worst}",
@@ -90,7 +103,7 @@ fn percent(share: f64) -> String {
 }
 
 /// The combinations that are accurate enough, and those that nearly are.
-fn combinations(advice: &Advice) -> Columns {
+fn combinations(advice: &Advice, enough: &[&Combination], others: &[&Combination]) -> Columns {
     let mut table = Columns::new([
         ("", Align::Left),
         ("time", Align::Right),
@@ -124,7 +137,6 @@ fn combinations(advice: &Advice) -> Columns {
             composition(one.scene),
         ]);
     };
-    let (enough, others) = nearest(advice);
     for one in enough {
         row(one, "*");
     }
@@ -167,9 +179,13 @@ fn across(page: &mut Page, advice: &Advice) {
         table.row([text.clone(), composition(scene)]);
     }
     page.section("What suffices at each value", &table);
+    let contrasts = advice.contrasts();
+    if contrasts.is_empty() {
+        return;
+    }
     let heads = at.iter().map(|text| (text.as_str(), Align::Point));
     let mut table = Columns::new([(title.as_str(), Align::Left)].into_iter().chain(heads));
-    for contrast in advice.contrasts() {
+    for contrast in contrasts {
         let without = contrast.together[1];
         let shares = (0..advice.values()).map(|value| advice.share_at(without, value));
         let cell = |share: f64| match share {

@@ -150,6 +150,12 @@ impl Advice {
         all.filter(|one| !one.1.is_nan()).max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
+    /// By how much a quantity differs at most over the range, SI units.
+    pub fn apart(&self, of: &Combination, index: usize) -> f64 {
+        let errors = (0..self.values()).map(|value| self.reference.differs(of, index, value).error);
+        errors.fold(0.0, f64::max)
+    }
+
     /// What any of the accuracies is about.
     pub fn looked_at(&self) -> Vec<usize> {
         let of: Vec<usize> = self.wanted.iter().flat_map(|wanted| wanted.of.clone()).collect();
