@@ -28,7 +28,10 @@ pub fn render(page: &mut Page, question: &Question, answer: &Answer, figure: Opt
     failures(page, question, answer);
     page.figure(figure);
     let seconds = number::duration(answer.seconds);
-    page.line(&format!("{} runs took {seconds}.", question.count()));
+    page.line(&format!(
+        "{} runs took {seconds}, without estimates of their errors: `assur run` with a value has these.",
+        question.count()
+    ));
 }
 
 /// A name with its unit.

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{answer, check_refused, folder};
+use super::{answer, check_refused, folder, run};
 
 fn object(arguments: &[&str]) -> Value {
     let name = arguments.join("-").replace(['/', '=', '%', '.', ','], "-");
@@ -180,6 +180,36 @@ fn shares_are_those_of_two_runs() {
     assert!((told - share).abs() < 0.02 * share, "{told} {share}");
 }
 
+/// What comes nearest is said, and what keeps it from more; a file has the ways of which nothing came.
+#[test]
+fn an_accuracy_that_nothing_reaches_is_an_error() {
+    let words = ["cost", "batten", "--of", "F2", "--method", "dop853", "--seconds", "0", "--rtol"];
+    let asked = |more: &[&str]| {
+        let output = run(&[&words[..], more].concat(), &folder("cost_unreached"));
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), String::from_utf8(output.stdout).expect("text"), told)
+    };
+    let (code, text, told) = asked(&["1e-8..1e-6", "--for", "F2=1e-15N"]);
+    assert_eq!(code, Some(1), "{told}");
+    assert!(told.contains("is not reached"), "{told}");
+    assert!(text.contains("nothing reaches F2 to 1e-15N; nearest comes dop853"), "{text}");
+    assert!(text.contains("no smaller tolerance was tried"), "{text}");
+    let (code, text, _) = asked(&["1e-8..1e-6", "--for", "F2=1e-15N", "--format", "json"]);
+    let found: Value = serde_json::from_str(&text).expect("one JSON object");
+    assert_eq!((code, &found["cheapest"]), (Some(1), &Value::Null));
+    assert_eq!(found["nearest"]["limited_by"], "tolerances", "{}", found["nearest"]);
+    // Down to rounding nothing smaller helps.
+    let (_, text, _) = asked(&["1e-13..1e-10", "--for", "F2=1e-15N"]);
+    assert!(text.contains("At best") && text.contains("rounding limits it"), "{text}");
+    // There is but one way to a position.
+    let words = ["cost", "balanced_four_bar", "--scene", "turn", "--for"];
+    let words = |accuracy: &'static str| [&words[..], &[accuracy]].concat();
+    let text = answer(&words("1e-9%"), &folder("cost_of_a_position"));
+    assert!(text.contains("every value, at the cost above"), "{text}");
+    let output = run(&words("1e-14%"), &folder("cost_of_a_position"));
+    assert_eq!(output.status.code(), Some(1));
+}
+
 #[test]
 fn wrong_questions_are_refused() {
     let directory = folder("wrong_costs");
@@ -195,6 +225,7 @@ fn wrong_questions_are_refused() {
         (&["cost", "batten", "--for", "1K"], "has the unit of `1K`"),
         (&["cost", "batten", "--for", "x%"], "no share"),
         (&["cost", "batten", "--rtol", "1e-20..1e-3"], "out of range"),
+        (&["cost", "batten", "--rtol", "3e-6..4e-6"], "no power of ten"),
         (&["cost", "batten", "--rtol", "3"], "between 0 and 1"),
         (&["cost", "batten", "--method", "euler"], "euler"),
         (&["scenes", "batten", "--against", "nope"], "--against nope"),

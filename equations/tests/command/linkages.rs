@@ -396,3 +396,24 @@ fn a_change_point_is_passed_and_what_has_no_value_there_is_left_out() {
         }
     }
 }
+
+/// Numbers of a linkage may be off by rounding, more beside a dead point, which the heald linkage has at 220.223 deg.
+#[test]
+fn roundings_are_told_and_grow_beside_a_dead_point() {
+    let words = ["run", "heald_linkage", "--at", "phi4=90deg", "--at", "phi4=220.22deg"];
+    let found = json(&words, &folder("roundings"));
+    let number = |of: &Value| of.as_f64().expect("a number");
+    for limits in found["results"].as_array().expect("a list") {
+        for end in [&limits["minimum"], &limits["maximum"], &limits["limit_positions"][0]] {
+            let error = &end["estimated_error"];
+            assert!(end.is_null() || (1e-15..1e-12).contains(&number(error)), "{limits}");
+        }
+    }
+    let [usual, beside] = [0, 1].map(|place| {
+        let influence = found["at"][place]["influence"].as_array().expect("a list").iter();
+        let errors = influence.map(|one| number(&one["estimated_error"]));
+        let share = errors.fold(0.0, f64::max);
+        (number(&found["at"][place]["estimated_errors"][2]), share)
+    });
+    assert!(beside.0 > 20.0 * usual.0 && beside.1 > 400.0 * usual.1, "{usual:?} {beside:?}");
+}

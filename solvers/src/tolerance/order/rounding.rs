@@ -4,9 +4,12 @@ use crate::closure::{AnyLinkage, Variable};
 use crate::tolerance::error::ToleranceError;
 use crate::tolerance::made::nominal::Nominal;
 
-/// How far the numbers of a linkage may be off by rounding at a place, SI units: by what all values, the constants and the
-/// positions of the drivers, make of them if each is off in its last place, and by their own last place. Not a number where that
-/// is not known.
+/// Half the last place of a number, at most, over the number.
+pub(in crate::tolerance) const HALF_PLACE: f64 = f64::EPSILON / 2.0;
+
+/// How far the numbers of a linkage may be off by rounding at a place, SI units: the root of the sum of squares of what each value,
+/// a constant or the position of a driver, makes of them if it is off by half its last place, and of half of their own. Roundings have
+/// any sign. Not a number where that is not known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rounding {
     /// Of the dependent coordinates.
@@ -29,7 +32,7 @@ pub(crate) fn rounding_of(
     let nominals = Nominal::along(linkage, &[place.to_vec()], &[])?;
     let Some(nominal) = nominals.first() else { return Err(ToleranceError::NoSource) };
     let (stand, entry) = (nominal.stand(), linkage.shape().loops());
-    let own = |values: &[f64]| values.iter().map(|value| value.abs()).collect::<Vec<f64>>();
+    let own = |values: &[f64]| values.iter().map(|value| value.powi(2)).collect::<Vec<f64>>();
     let mut rounding = Rounding {
         dependents: own(&stand.position[..entry.dependents.len()]),
         outputs: own(&nominal.outputs),
@@ -51,7 +54,7 @@ pub(crate) fn rounding_of(
         let variation = stand.varied(linkage, variable).map_err(|_| at())?;
         let add = |sums: &mut [f64], slopes: Vec<f64>| {
             for (sum, slope) in sums.iter_mut().zip(slopes) {
-                *sum += (slope * value).abs();
+                *sum += (slope * value).powi(2);
             }
         };
         add(&mut rounding.dependents, variation.dependents());
@@ -62,7 +65,7 @@ pub(crate) fn rounding_of(
     }
     let Rounding { dependents, outputs, influence } = &mut rounding;
     for sum in [dependents, outputs, influence].into_iter().flatten() {
-        *sum *= f64::EPSILON;
+        *sum = HALF_PLACE * sum.sqrt();
     }
     Ok(rounding)
 }
