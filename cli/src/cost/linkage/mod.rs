@@ -9,6 +9,7 @@ pub use json::Object;
 use std::path::Path;
 use std::time::Instant;
 
+use assur::scalar::fault;
 use assur::shape::Quantity;
 use assur::study::cost::{Made, MadeTrial, Way, front, made};
 use assur::tolerance::{Linear, Study, ToleranceError, linear, worst_place};
@@ -120,9 +121,11 @@ impl Cost {
     }
 }
 
-/// What rounding of the values makes of each output, where that is most; not a number where that is not known.
+/// What rounding of the values makes of each output, where that is most, and what integrals are not known by; not a number where that
+/// is not known.
 fn roundings(case: &Case, places: &[Vec<f64>]) -> Vec<Difference> {
     let mut all = vec![Difference { error: 0.0, size: 0.0 }; case.scene.outputs.len()];
+    fault::take_doubt();
     for place in places {
         let errors = rounding::at(case, place);
         let values = case.at(place.clone()).map(|sample| sample.outputs).unwrap_or_default();
@@ -130,6 +133,10 @@ fn roundings(case: &Case, places: &[Vec<f64>]) -> Vec<Difference> {
             most.error = rounding::or_more(error, most.error);
             most.size = most.size.max(value.abs());
         }
+    }
+    let doubt = fault::take_doubt();
+    for most in &mut all {
+        most.error = rounding::or_more(most.error, doubt * most.size);
     }
     all
 }
