@@ -71,7 +71,10 @@ fn dimensions_as_they_are_made_limit_what_accuracy_is_for() {
     let words = [&words[..], &["--of", "irregularity", "--seconds", "0", "--for"]].concat();
     let text = answer(&[&words[..], &["1%"]].concat(), &folder("made_loosely"));
     assert!(text.contains("r, l, e, bore make irregularity differ by 0."), "{text}");
-    let text = answer(&[&words[..], &["1e-6%"]].concat(), &folder("made_finely"));
+    // Nor does anything that is tried reach it.
+    let output = run(&[&words[..], &["1e-6%"]].concat(), &folder("made_finely"));
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(1), "{text}");
     assert!(text.contains("such an accuracy is of no use"), "{text}");
     // A bore that is larger by one standard deviation, and so on.
     let found = object(&[&words[..], &["1%"]].concat());
