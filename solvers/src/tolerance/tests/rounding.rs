@@ -2,6 +2,7 @@
 
 use super::super::Random;
 use super::super::made::nominal::Nominal;
+use super::super::order::influence::influences_of;
 use super::super::order::rounding::{HALF_PLACE, rounding_of};
 use super::Heald;
 use crate::closure::AnyLinkage;
@@ -15,10 +16,16 @@ fn check(linkage: &dyn AnyLinkage, degrees: f64) {
     let told = rounding_of(linkage, &place, true).expect("it gets there");
     let all = |linkage: &dyn AnyLinkage, place: &[f64]| -> Vec<f64> {
         let nominals = Nominal::along(linkage, &[place.to_vec()], &[]).expect("it gets there");
-        let position = nominals[0].stand().position.to_vec();
-        position[..told.dependents.len()].iter().chain(&nominals[0].outputs).copied().collect()
+        let dependents = nominals[0].stand().position[..told.dependents.len()].to_vec();
+        let influence = (0..told.outputs.len()).flat_map(|output| {
+            let found = influences_of(linkage, output, &[place.to_vec()]).expect("it gets there");
+            found.at(0).to_vec()
+        });
+        [dependents, nominals[0].outputs.clone(), influence.collect()].concat()
     };
-    let (base, told) = (all(linkage, &place), [&told.dependents[..], &told.outputs].concat());
+    let base = all(linkage, &place);
+    let own = told.dependents.len() + told.outputs.len();
+    let told = [&told.dependents[..], &told.outputs, &told.influence].concat();
     let mut random = Random::new(7, 0);
     let mut off = |value: &f64| {
         let sign = (random.uniform() - 0.5).signum();
@@ -34,8 +41,13 @@ fn check(linkage: &dyn AnyLinkage, degrees: f64) {
         }
     }
     for (index, ((sum, told), base)) in squares.iter().zip(&told).zip(&base).enumerate() {
-        // The last place of the number itself is told as well.
-        let told = (told.powi(2) - (HALF_PLACE * base).powi(2)).sqrt();
+        // The last place of positions and outputs themselves is told as well.
+        let last = if index < own { HALF_PLACE * base } else { 0.0 };
+        let told = (told.powi(2) - last.powi(2)).sqrt();
+        if index >= own && told <= 1e-3 * HALF_PLACE * base.abs() {
+            // The same for all values.
+            continue;
+        }
         let share = (sum / f64::from(TRIES)).sqrt() / told;
         assert!((0.85..1.15).contains(&share), "{degrees} deg, {index}: {share} of {told:e}");
     }
